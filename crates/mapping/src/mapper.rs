@@ -1,0 +1,121 @@
+//! The step that joins the rooms: a reading in, a report out.
+
+use cogmap_geometry::Pose;
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    memory::{Mfis, Perceptual, PerceptualParams},
+    perception::Reading,
+    report::{Event, StepReport},
+    traditional::{Odometry, OdometryParams},
+};
+
+/// Which mapper, with every parameter that it uses.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "mapper", rename_all = "snake_case")]
+pub enum MapperSetup {
+    /// Yeap's perceptual mapping as the thesis programs it (§3.2.1), to the letter.
+    Perceptual(PerceptualParams),
+    /// Views put together by odometry alone (§3.1.2 without §3.1.3's correction).
+    Odometry(OdometryParams),
+}
+
+impl MapperSetup {
+    /// The names that [`MapperSetup::named`] knows.
+    pub const NAMES: [&'static str; 2] = ["perceptual", "odometry"];
+
+    /// The mapper of that name with its default parameters.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        match name {
+            "perceptual" => Some(Self::Perceptual(PerceptualParams::default())),
+            "odometry" => Some(Self::Odometry(OdometryParams::default())),
+            _ => None,
+        }
+    }
+
+    /// The name under which it is chosen.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Perceptual(_) => "perceptual",
+            Self::Odometry(_) => "odometry",
+        }
+    }
+}
+
+/// Where the robot believed it was when it took a view.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PathPoint {
+    /// Number of the view.
+    pub step: usize,
+    /// Seconds.
+    pub t: f64,
+    /// In the mapper's map.
+    pub map_from_robot: Pose,
+}
+
+/// A mapper at work: the one way in is [`Mapper::observe`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[allow(clippy::large_enum_variant, reason = "a session holds a handful of mappers")]
+pub enum Mapper {
+    /// §3.2.1.
+    Perceptual(Perceptual),
+    /// §3.1.2.
+    Odometry(Odometry),
+}
+
+impl Mapper {
+    /// A mapper with an empty memory.
+    #[must_use]
+    pub fn new(setup: &MapperSetup) -> Self {
+        match setup {
+            MapperSetup::Perceptual(params) => Self::Perceptual(Perceptual::new(params)),
+            MapperSetup::Odometry(params) => Self::Odometry(Odometry::new(params)),
+        }
+    }
+
+    /// Takes a reading in; `None` where the mapper lets it pass (views are taken at the ends of
+    /// steps, and by distance while a person drives).
+    pub fn observe(&mut self, reading: &Reading) -> Option<StepReport> {
+        match self {
+            Self::Perceptual(mapper) => mapper.observe(reading),
+            Self::Odometry(mapper) => mapper.observe(reading),
+        }
+    }
+
+    /// The map.
+    #[must_use]
+    pub fn mfis(&self) -> &Mfis {
+        match self {
+            Self::Perceptual(mapper) => mapper.mfis(),
+            Self::Odometry(mapper) => mapper.mfis(),
+        }
+    }
+
+    /// Where each view was taken, oldest first.
+    #[must_use]
+    pub fn path(&self) -> &[PathPoint] {
+        match self {
+            Self::Perceptual(mapper) => mapper.path(),
+            Self::Odometry(mapper) => mapper.path(),
+        }
+    }
+
+    /// Where the robot is in the map when odometry stands at `odom_from_robot`: the last view's
+    /// place, and odometry since then. `None` before the first view.
+    #[must_use]
+    pub fn map_from_robot(&self, odom_from_robot: Pose) -> Option<Pose> {
+        let (map_from_view, odom_from_view) = match self {
+            Self::Perceptual(mapper) => mapper.last_view()?,
+            Self::Odometry(mapper) => mapper.last_view()?,
+        };
+        Some(map_from_view * odom_from_view.from_here(odom_from_robot))
+    }
+}
+
+/// The events that a report amounts to, in order.
+#[must_use]
+pub fn events_of(report: &StepReport) -> Vec<Event> {
+    crate::report::events(report)
+}

@@ -1,0 +1,82 @@
+//! What one step found out and why: everything the Why? panel, the event log and the figures need.
+
+use cogmap_geometry::Pose;
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    memory::{Match, Reference, SurfaceId},
+    perception::View,
+};
+
+/// What a mapper did with one reading, in the order of §3.2.1's steps.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StepReport {
+    /// Number of the view, from 0.
+    pub step: usize,
+    /// When the scan was taken, seconds.
+    pub t: f64,
+    /// The surfaces seen, in the robot's frame.
+    pub view: View,
+    /// Which of them were recognised, and as what.
+    pub matches: Vec<Match>,
+    /// The reference target, and every other candidate behind it, best first.
+    pub references: Vec<Reference>,
+    /// The surfaces that were new and are now in the map.
+    pub placed: Vec<SurfaceId>,
+    /// What placed them.
+    pub placement: Placement,
+    /// Where the robot is in its map.
+    pub map_from_robot: Pose,
+}
+
+/// What a view was placed by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Placement {
+    /// The first view: it defines the map's frame.
+    First,
+    /// A reference target; no odometry value entered the map.
+    Reference,
+    /// A reference whose place along its own line no true end determined (the flaw of Fig. 3.17).
+    WeakReference,
+    /// Odometry, because nothing was recognised (§3.2.3, the corridor), or because the mapper knows no better.
+    Odometry,
+}
+
+/// Something worth a line in `events.jsonl` and a mark on the timeline.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Event {
+    /// A pair became the reference target.
+    Reference {
+        /// Which surface of the view.
+        seen: usize,
+        /// Which surface of the map it was recognised as.
+        known: SurfaceId,
+        /// What the choice went by; higher is better.
+        quality: f64,
+        /// The runner-up's quality.
+        next_quality: Option<f64>,
+        /// Whether the place along the reference's line was a guess.
+        weak: bool,
+        /// One sentence for people.
+        why: String,
+    },
+    /// New surfaces entered the map.
+    Placed {
+        /// Their names.
+        surfaces: Vec<SurfaceId>,
+    },
+    /// No reference was found: this one view was placed by odometry (§3.2.3).
+    Fallback {
+        /// How many surfaces were recognised all the same.
+        matches: usize,
+        /// One sentence for people.
+        why: String,
+    },
+    /// The robot drove into something while it was moving.
+    Collision {
+        /// Where, in the world.
+        position: [f64; 2],
+    },
+}

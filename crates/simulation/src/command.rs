@@ -1,0 +1,33 @@
+use serde::{Deserialize, Serialize};
+
+/// What a person or a program tells the robot.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
+pub enum Command {
+    /// Drive at a velocity until told otherwise.
+    Drive {
+        /// Metres per second, forward positive.
+        linear: f64,
+        /// Radians per second, counter-clockwise positive.
+        angular: f64,
+    },
+    /// The thesis's movement step (§3.1.3): turn, then travel, then scan.
+    Step {
+        /// Radians, counter-clockwise positive.
+        turn: f64,
+        /// Metres.
+        travel: f64,
+    },
+    /// Come to rest, whatever was going on.
+    Stop,
+}
+
+/// A command and the tick at whose beginning it takes effect.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TimedCommand {
+    /// Ticks of [`TICK`](crate::TICK) seconds since the beginning.
+    pub tick: u64,
+    /// What to do.
+    #[serde(flatten)]
+    pub command: Command,
+}
