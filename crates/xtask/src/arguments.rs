@@ -69,10 +69,7 @@ fn known_step(name: String) -> Result<String, lexopt::Error> {
 }
 
 fn parse_demo(mut parser: lexopt::Parser) -> Result<Request, lexopt::Error> {
-    let mut options = DemoOptions {
-        port: DEFAULT_PORT,
-        build_only: false,
-    };
+    let mut options = DemoOptions { port: DEFAULT_PORT, build_only: false };
     while let Some(argument) = parser.next()? {
         match argument {
             Long("port") => options.port = parser.value()?.parse()?,
@@ -113,12 +110,9 @@ mod tests {
     #[test]
     fn nonsense_is_an_error_and_no_argument_asks_for_help() {
         assert_eq!(parsed(&[]), Ok(Request::Help));
-        for nonsense in [
-            &["serve"][..],
-            &["demo", "--port", "70000"],
-            &["demo", "--port"],
-            &["test", "--nope"],
-        ] {
+        for nonsense in
+            [&["serve"][..], &["demo", "--port", "70000"], &["demo", "--port"], &["test", "--nope"]]
+        {
             assert!(parsed(nonsense).is_err(), "{nonsense:?}");
         }
     }

@@ -1,6 +1,5 @@
 use std::ffi::{OsStr, OsString};
 use std::fmt;
-use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 use crate::failure::Failure;
@@ -11,17 +10,11 @@ pub(crate) struct Job {
     program: OsString,
     arguments: Vec<OsString>,
     variables: Vec<(&'static str, OsString)>,
-    folder: Option<PathBuf>,
 }
 
 impl Job {
     pub(crate) fn new(program: impl Into<OsString>) -> Self {
-        Self {
-            program: program.into(),
-            arguments: Vec::new(),
-            variables: Vec::new(),
-            folder: None,
-        }
+        Self { program: program.into(), arguments: Vec::new(), variables: Vec::new() }
     }
 
     /// Adds arguments written in one string, split at white space.
@@ -39,11 +32,6 @@ impl Job {
 
     pub(crate) fn variable(mut self, name: &'static str, value: impl Into<OsString>) -> Self {
         self.variables.push((name, value.into()));
-        self
-    }
-
-    pub(crate) fn in_folder(mut self, folder: impl Into<PathBuf>) -> Self {
-        self.folder = Some(folder.into());
         self
     }
 
@@ -71,9 +59,6 @@ impl Job {
         for (name, value) in &self.variables {
             command.env(name, value);
         }
-        if let Some(folder) = &self.folder {
-            command.current_dir(folder);
-        }
         command
     }
 
@@ -84,9 +69,6 @@ impl Job {
 
 impl fmt::Display for Job {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(folder) = &self.folder {
-            write!(formatter, "cd {} && ", quoted(folder.as_os_str()))?;
-        }
         for (name, value) in &self.variables {
             write!(formatter, "{name}={} ", quoted(value))?;
         }
@@ -117,9 +99,8 @@ mod tests {
         let job = Job::new("cargo")
             .words("doc --workspace")
             .argument("it's here")
-            .variable("RUSTDOCFLAGS", "-D warnings")
-            .in_folder("/tmp/a b");
-        let typed = r"cd '/tmp/a b' && RUSTDOCFLAGS='-D warnings' cargo doc --workspace 'it'\''s here'";
+            .variable("RUSTDOCFLAGS", "-D warnings");
+        let typed = r"RUSTDOCFLAGS='-D warnings' cargo doc --workspace 'it'\''s here'";
         assert_eq!(job.to_string(), typed);
     }
 

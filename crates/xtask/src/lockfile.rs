@@ -50,10 +50,7 @@ version = "0.17.1"
     #[test]
     fn the_version_is_that_of_the_package_with_exactly_this_name() {
         assert_eq!(locked_version(LOCKFILE, "wasm-bindgen"), Some("0.2.126"));
-        assert_eq!(
-            locked_version(LOCKFILE, "wasm-bindgen-macro"),
-            Some("0.2.125")
-        );
+        assert_eq!(locked_version(LOCKFILE, "wasm-bindgen-macro"), Some("0.2.125"));
     }
 
     #[test]

@@ -53,7 +53,7 @@ fn fulfil(request: &Request) -> Result<(), Failure> {
             steps::list();
             Ok(())
         }
-        Request::Test(chosen) => steps::run(&Project::find()?, chosen),
-        Request::Demo(options) => demo::run(&Project::find()?, options),
+        Request::Test(chosen) => steps::run(&Project::enter()?, chosen),
+        Request::Demo(options) => demo::run(&Project::enter()?, options),
     }
 }

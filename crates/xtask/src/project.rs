@@ -15,27 +15,20 @@ pub(crate) struct Project {
 }
 
 impl Project {
-    /// Asks Cargo about the workspace that the current directory belongs to.
-    pub(crate) fn find() -> Result<Self, Failure> {
-        let metadata = cargo()
-            .words("metadata --no-deps --format-version 1")
+    /// Finds the workspace that the current directory belongs to and moves to its root, so that
+    /// every command printed from then on can be typed there.
+    pub(crate) fn enter() -> Result<Self, Failure> {
+        let metadata = cargo("metadata --no-deps --format-version 1")
             .output()
             .and_then(|text| serde_json::from_str::<Value>(&text).ok())
             .ok_or_else(|| Failure::new("`cargo metadata` failed: run it to see the reason"))?;
         let path = |key: &str| {
             let text = metadata.get(key).and_then(Value::as_str);
-            text.map(PathBuf::from)
-                .ok_or_else(|| Failure::new(format!("`cargo metadata` names no {key}")))
+            text.map(PathBuf::from).ok_or_else(|| Failure::new(format!("`cargo metadata` names no {key}")))
         };
-        Ok(Self {
-            root: path("workspace_root")?,
-            target: path("target_directory")?,
-        })
-    }
-
-    /// Cargo, at the root of the workspace.
-    pub(crate) fn cargo(&self, words: &str) -> Job {
-        cargo().words(words).in_folder(&self.root)
+        let project = Self { root: path("workspace_root")?, target: path("target_directory")? };
+        std::env::set_current_dir(&project.root).map_err(|error| Failure::file(&project.root, &error))?;
+        Ok(project)
     }
 
     /// The page's sources.
@@ -45,7 +38,7 @@ impl Project {
 
     /// The built page.
     pub(crate) fn dist(&self) -> PathBuf {
-        self.root.join("web/dist")
+        self.web().join("dist")
     }
 
     /// Where Cargo-installed tools live, apart from the user's own.
@@ -58,13 +51,16 @@ impl Project {
         let path = self.root.join("Cargo.lock");
         let lockfile = read(&path)?;
         let version = locked_version(&lockfile, package).ok_or_else(|| {
-            Failure::new(format!(
-                "{} does not pin one version of {package}",
-                path.display()
-            ))
+            let path = path.display();
+            Failure::new(format!("{path} does not pin one version of {package}"))
         })?;
         Ok(version.to_owned())
     }
+}
+
+/// Cargo with these arguments. Inside a rustup toolchain the same toolchain answers.
+pub(crate) fn cargo(words: &str) -> Job {
+    Job::new("cargo").words(words)
 }
 
 /// Reads a text file, naming it in the error.
@@ -72,7 +68,7 @@ pub(crate) fn read(path: &Path) -> Result<String, Failure> {
     std::fs::read_to_string(path).map_err(|error| Failure::file(path, &error))
 }
 
-/// The Cargo that runs this program.
-fn cargo() -> Job {
-    Job::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+/// Writes a file, naming it in the error.
+pub(crate) fn write(path: &Path, contents: &str) -> Result<(), Failure> {
+    std::fs::write(path, contents).map_err(|error| Failure::file(path, &error))
 }

@@ -1,0 +1,67 @@
+use std::path::{Path, PathBuf};
+
+use crate::failure::Failure;
+use crate::job::Job;
+use crate::project::{Project, cargo, write};
+use crate::setup::{Need, npm_run, wasm_bindgen};
+
+/// What building the page needs.
+pub(crate) const BUILD_NEEDS: [Need; 3] = [Need::WasmTarget, Need::WasmBindgen, Need::NodePackages];
+
+/// The WebAssembly features that rustc emits here; the optimiser must know and keep them.
+const FEATURES: &str = "--enable-simd --enable-bulk-memory --enable-nontrapping-float-to-int \
+    --enable-sign-ext --enable-mutable-globals --enable-reference-types --enable-multivalue";
+
+/// Builds the page into `web/dist`.
+pub(crate) fn build(project: &Project) -> Result<(), Failure> {
+    build_wasm(project)?;
+    npm_run("build").run()
+}
+
+/// Builds the wasm module and its TypeScript face into `web/src/wasm`.
+pub(crate) fn build_wasm(project: &Project) -> Result<(), Failure> {
+    cargo("build --release --target wasm32-unknown-unknown -p cogmap-wasm").run()?;
+    let compiled = project.target.join("wasm32-unknown-unknown/release/cogmap_wasm.wasm");
+    let out = project.web().join("src/wasm");
+    let stamp = out.join(".built-from");
+    let origin = origin(project, &compiled)?;
+    if std::fs::read_to_string(&stamp).is_ok_and(|built| built == origin) {
+        return Ok(());
+    }
+    generate(project, &compiled, &out)?;
+    optimise(project, &out)?;
+    write(&stamp, &origin)
+}
+
+/// What the generated files depend on, in a form that changes when any of it does.
+fn origin(project: &Project, compiled: &Path) -> Result<String, Failure> {
+    let changed = std::fs::metadata(compiled).and_then(|metadata| metadata.modified());
+    let changed = changed.map_err(|error| Failure::file(compiled, &error))?;
+    let version = project.locked_version("wasm-bindgen")?;
+    Ok(format!("{version} {FEATURES} {changed:?} {}", compiled.display()))
+}
+
+fn generate(project: &Project, compiled: &Path, out: &Path) -> Result<(), Failure> {
+    if out.exists() {
+        std::fs::remove_dir_all(out).map_err(|error| Failure::file(out, &error))?;
+    }
+    Job::new(wasm_bindgen(project)?).words("--target web --out-dir").argument(out).argument(compiled).run()
+}
+
+fn optimise(project: &Project, out: &Path) -> Result<(), Failure> {
+    let module = out.join("cogmap_wasm_bg.wasm");
+    Job::new(package_command(project, "wasm-opt"))
+        .words("-O3")
+        .words(FEATURES)
+        .argument(&module)
+        .argument("-o")
+        .argument(&module)
+        .run()
+}
+
+/// A command that one of the page's npm packages brings.
+fn package_command(project: &Project, name: &str) -> PathBuf {
+    let suffix = if cfg!(windows) { ".cmd" } else { "" };
+    let commands = project.web().join("node_modules/.bin");
+    commands.join(format!("{name}{suffix}"))
+}
