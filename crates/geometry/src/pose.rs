@@ -68,6 +68,7 @@ impl Mul for Pose {
     }
 }
 
+#[allow(clippy::suspicious_arithmetic_impl, reason = "a rigid motion turns, then shifts")]
 impl Mul<DVec2> for Pose {
     type Output = DVec2;
 

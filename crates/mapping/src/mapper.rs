@@ -4,9 +4,9 @@ use cogmap_geometry::Pose;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    memory::{Mfis, Perceptual, PerceptualParams},
+    memory::{Memory, Mfis, Perceptual, PerceptualParams},
     perception::Reading,
-    report::{Event, StepReport},
+    report::StepReport,
     traditional::{Odometry, OdometryParams},
 };
 
@@ -57,7 +57,6 @@ pub struct PathPoint {
 
 /// A mapper at work: the one way in is [`Mapper::observe`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[allow(clippy::large_enum_variant, reason = "a session holds a handful of mappers")]
 pub enum Mapper {
     /// §3.2.1.
     Perceptual(Perceptual),
@@ -84,38 +83,32 @@ impl Mapper {
         }
     }
 
+    /// What it remembers: the map and the path.
+    #[must_use]
+    pub fn memory(&self) -> &Memory {
+        match self {
+            Self::Perceptual(mapper) => mapper.memory(),
+            Self::Odometry(mapper) => mapper.memory(),
+        }
+    }
+
     /// The map.
     #[must_use]
     pub fn mfis(&self) -> &Mfis {
-        match self {
-            Self::Perceptual(mapper) => mapper.mfis(),
-            Self::Odometry(mapper) => mapper.mfis(),
-        }
+        self.memory().mfis()
     }
 
     /// Where each view was taken, oldest first.
     #[must_use]
     pub fn path(&self) -> &[PathPoint] {
-        match self {
-            Self::Perceptual(mapper) => mapper.path(),
-            Self::Odometry(mapper) => mapper.path(),
-        }
+        self.memory().path()
     }
 
     /// Where the robot is in the map when odometry stands at `odom_from_robot`: the last view's
     /// place, and odometry since then. `None` before the first view.
     #[must_use]
     pub fn map_from_robot(&self, odom_from_robot: Pose) -> Option<Pose> {
-        let (map_from_view, odom_from_view) = match self {
-            Self::Perceptual(mapper) => mapper.last_view()?,
-            Self::Odometry(mapper) => mapper.last_view()?,
-        };
-        Some(map_from_view * odom_from_view.from_here(odom_from_robot))
+        let last = self.memory().path().last()?;
+        Some(last.map_from_robot * self.memory().moved_to(odom_from_robot)?)
     }
-}
-
-/// The events that a report amounts to, in order.
-#[must_use]
-pub fn events_of(report: &StepReport) -> Vec<Event> {
-    crate::report::events(report)
 }

@@ -4,7 +4,7 @@ use cogmap_geometry::Pose;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    memory::{Match, Reference, SurfaceId},
+    memory::{Along, Match, Reference, SurfaceId},
     perception::View,
 };
 
@@ -79,4 +79,59 @@ pub enum Event {
         /// Where, in the world.
         position: [f64; 2],
     },
+}
+
+impl StepReport {
+    /// What the step amounts to in the event log, in the order of §3.2.1's steps.
+    #[must_use]
+    pub fn events(&self) -> Vec<Event> {
+        let mut events = Vec::new();
+        match (self.placement, self.references.first()) {
+            (Placement::Reference | Placement::WeakReference, Some(best)) => {
+                events.push(self.reference_event(best));
+            }
+            (Placement::Odometry, _) => {
+                events.push(Event::Fallback { matches: self.matches.len(), why: self.why_fallback() });
+            }
+            _ => {}
+        }
+        if !self.placed.is_empty() {
+            events.push(Event::Placed { surfaces: self.placed.clone() });
+        }
+        events
+    }
+
+    fn reference_event(&self, best: &Reference) -> Event {
+        let next_quality = self.references.get(1).map(|next| next.quality);
+        Event::Reference {
+            seen: best.seen,
+            known: best.known,
+            quality: best.quality,
+            next_quality,
+            weak: self.placement == Placement::WeakReference,
+            why: self.why_reference(best),
+        }
+    }
+
+    fn why_reference(&self, best: &Reference) -> String {
+        let Reference { seen, known, along, .. } = best;
+        let (length, range) = self.view.surfaces.get(*seen).map_or((0.0, 0.0), |s| (s.length(), s.range));
+        let along = match along {
+            Along::FirstEnd | Along::SecondEnd => "one of its true ends fixes the place along it".to_owned(),
+            Along::Crossing(other) => format!("surface {} fixes the place along it", other.0),
+            Along::GuessedEnd => "no true end fixes the place along it, so that place is a guess".to_owned(),
+        };
+        format!(
+            "surface {}, seen {length:.2} m long at {range:.1} m, is the best of {} candidates; {along}",
+            known.0,
+            self.references.len()
+        )
+    }
+
+    fn why_fallback(&self) -> String {
+        match self.matches.len() {
+            0 => "no surface of the previous view was recognised".to_owned(),
+            n => format!("{n} surfaces were recognised, but none fixes where the robot is"),
+        }
+    }
 }

@@ -43,10 +43,13 @@ impl Mfis {
     }
 
     /// Stores a surface for good and names it.
-    pub(crate) fn store(&mut self, new: NewSurface) -> SurfaceId {
-        #[allow(clippy::cast_possible_truncation, reason = "memory ends long before four thousand million surfaces")]
+    pub(crate) fn store(&mut self, new: &NewSurface) -> SurfaceId {
+        #[allow(
+            clippy::cast_possible_truncation,
+            reason = "memory ends long before four thousand million surfaces"
+        )]
         let id = SurfaceId(self.surfaces.len() as u32);
-        let NewSurface { segment, ends, step, index_in_view } = new;
+        let NewSurface { segment, ends, step, index_in_view } = *new;
         self.surfaces.push(StoredSurface { id, segment, ends, step, index_in_view });
         id
     }

@@ -1,0 +1,119 @@
+use cogmap_geometry::{Pose, Segment, normalize_angle, trig};
+use serde::{Deserialize, Serialize};
+
+use super::{SurfaceId, Tracked};
+use crate::perception::{End, Surface};
+
+/// How far apart two sightings may be and still be one surface (§3.1.3, Fig. 3.4).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Matching {
+    /// Largest end-point distance of a pair, metres.
+    pub distance: f64,
+    /// Largest difference of orientation of a pair, radians.
+    pub angle: f64,
+    /// Added to both end-point distances before multiplying, metres: without it two lines that share
+    /// one end would fit perfectly.
+    pub distance_floor: f64,
+    /// Added to the difference of orientation, radians: without it any parallel pair would.
+    pub angle_floor: f64,
+}
+
+impl Default for Matching {
+    fn default() -> Self {
+        Self { distance: 0.5, angle: 15.0 * trig::PI / 180.0, distance_floor: 0.05, angle_floor: 0.02 }
+    }
+}
+
+/// How badly two surfaces fit (Fig. 3.4).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PairError {
+    /// Distance of their first ends, metres.
+    pub d1: f64,
+    /// Distance of their second ends, metres.
+    pub d2: f64,
+    /// Difference of orientation, radians.
+    pub phi: f64,
+    /// `(d1 + a) (d2 + a) (φ + b)`: the thesis's product with its special cases taken care of.
+    pub error: f64,
+}
+
+/// A surface of the current view that was recognised.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Match {
+    /// Which surface of the current view.
+    pub seen: usize,
+    /// Which surface of the previous view.
+    pub previous: usize,
+    /// The surface of the map that it is, by descent from its first sighting.
+    pub known: SurfaceId,
+    /// How well the two sightings fit under the rough movement.
+    pub fit: PairError,
+}
+
+/// The error of a pair in one frame. An end that either sighting did not see as a true end says
+/// nothing about where the object ends, so its distance is measured across the line only.
+#[must_use]
+pub fn pair_error(seen: &Surface, known: &Surface, params: &Matching) -> PairError {
+    let d1 = end_distance(seen, known, 0);
+    let d2 = end_distance(seen, known, 1);
+    let phi = normalize_angle(seen.segment.heading() - known.segment.heading()).abs();
+    let error = (d1 + params.distance_floor) * (d2 + params.distance_floor) * (phi + params.angle_floor);
+    PairError { d1, d2, phi, error }
+}
+
+fn end_distance(seen: &Surface, known: &Surface, end: usize) -> f64 {
+    let (own, other) = (end_of(seen.segment, end), end_of(known.segment, end));
+    if seen.ends[end] == End::True && known.ends[end] == End::True {
+        return own.distance(other);
+    }
+    let (to_known, to_seen) = (known.segment.distance_to(own), seen.segment.distance_to(other));
+    to_known.min(to_seen)
+}
+
+pub(super) fn end_of(segment: Segment, end: usize) -> cogmap_geometry::DVec2 {
+    if end == 0 { segment.a } else { segment.b }
+}
+
+/// §3.2.1, identifying common surfaces: the previous view is projected onto the current one by the
+/// rough movement, every surface takes at most one partner, the best pairs first. The movement is
+/// used here and nowhere else.
+#[must_use]
+pub fn match_views(
+    current: &[Surface],
+    previous: &[Tracked],
+    previous_from_current: Pose,
+    params: &Matching,
+) -> Vec<Match> {
+    let current_from_previous = previous_from_current.inverse();
+    let projected: Vec<Surface> =
+        previous.iter().map(|tracked| tracked.surface.seen_from(current_from_previous)).collect();
+    let mut pairs = Vec::new();
+    for (seen, surface) in current.iter().enumerate() {
+        for (index, known) in projected.iter().enumerate() {
+            let fit = pair_error(surface, known, params);
+            if fit.d1 <= params.distance && fit.d2 <= params.distance && fit.phi <= params.angle {
+                pairs.push(Match { seen, previous: index, known: previous[index].known, fit });
+            }
+        }
+    }
+    best_partners(pairs, current.len(), previous.len())
+}
+
+/// One partner each: the pair with the least error takes both of its surfaces.
+fn best_partners(mut pairs: Vec<Match>, current: usize, previous: usize) -> Vec<Match> {
+    pairs.sort_by(|a, b| {
+        a.fit.error.total_cmp(&b.fit.error).then(a.seen.cmp(&b.seen)).then(a.previous.cmp(&b.previous))
+    });
+    let (mut seen_taken, mut previous_taken) = (vec![false; current], vec![false; previous]);
+    pairs.retain(|pair| {
+        let free = !seen_taken[pair.seen] && !previous_taken[pair.previous];
+        if free {
+            seen_taken[pair.seen] = true;
+            previous_taken[pair.previous] = true;
+        }
+        free
+    });
+    pairs.sort_by_key(|pair| pair.seen);
+    pairs
+}

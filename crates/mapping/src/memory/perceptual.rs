@@ -1,0 +1,80 @@
+use cogmap_geometry::Pose;
+use serde::{Deserialize, Serialize};
+
+use super::{Along, Matching, Memory, Reference, ReferenceQuality, rank_references};
+use crate::{
+    Cadence, Placement, StepReport,
+    perception::{Extraction, Reading, View, extract},
+};
+
+/// Every parameter of the perceptual mapper.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct PerceptualParams {
+    /// When a scan is a view.
+    pub cadence: Cadence,
+    /// How points become surfaces.
+    pub extraction: Extraction,
+    /// When two sightings are one surface.
+    pub matching: Matching,
+    /// Which recognised surface becomes the reference target.
+    pub reference: ReferenceQuality,
+}
+
+/// Yeap's perceptual mapping as the thesis programs it (§3.2.1): new surfaces are placed relative to
+/// one recognised surface, after every step; what is stored never changes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Perceptual {
+    params: PerceptualParams,
+    memory: Memory,
+}
+
+impl Perceptual {
+    /// A mapper with an empty memory.
+    #[must_use]
+    pub fn new(params: &PerceptualParams) -> Self {
+        Self { params: *params, memory: Memory::default() }
+    }
+
+    /// What it remembers.
+    #[must_use]
+    pub fn memory(&self) -> &Memory {
+        &self.memory
+    }
+
+    pub(crate) fn observe(&mut self, reading: &Reading) -> Option<StepReport> {
+        self.params.cadence.takes(reading, self.memory.odom_from_last()).then(|| {
+            let view = extract(&reading.scan, &self.params.extraction);
+            self.integrate(view, reading.t, reading.odom_from_robot)
+        })
+    }
+
+    /// §3.2.1, steps 4 to 7, on the surfaces seen when odometry stood at `odom_from_robot`.
+    pub fn integrate(&mut self, view: View, t: f64, odom_from_robot: Pose) -> StepReport {
+        // Steps 1 to 3 and 5: the robot has turned and moved, by roughly this much, and has looked.
+        let moved = self.memory.moved_to(odom_from_robot);
+        // Step 6: the surfaces that the current and the previous view have in common …
+        let matches = self.memory.recognise(&view, moved, &self.params.matching);
+        // … one of which becomes the reference target. The movement is forgotten from here on.
+        let references =
+            rank_references(&view.surfaces, &matches, self.memory.mfis(), &self.params.reference);
+        let (placement, map_from_robot) = self.place(references.first(), moved);
+        // Step 4, the whole first view, and step 7, later whatever is new.
+        let placed = self.memory.store_new(&view, &matches, map_from_robot);
+        let step = self.memory.remember_view(t, map_from_robot, odom_from_robot);
+        StepReport { step, t, view, matches, references, placed, placement, map_from_robot }
+    }
+
+    /// Where the view lies in the map: by its reference target; by odometry where there is none
+    /// (§3.2.3, the corridor), for this one view.
+    fn place(&self, reference: Option<&Reference>, moved: Option<Pose>) -> (Placement, Pose) {
+        match (reference, moved, self.memory.path().last()) {
+            (Some(reference), _, _) if reference.along == Along::GuessedEnd => {
+                (Placement::WeakReference, reference.map_from_robot)
+            }
+            (Some(reference), _, _) => (Placement::Reference, reference.map_from_robot),
+            (None, Some(moved), Some(last)) => (Placement::Odometry, last.map_from_robot * moved),
+            _ => (Placement::First, Pose::IDENTITY),
+        }
+    }
+}

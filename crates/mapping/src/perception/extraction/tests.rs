@@ -1,0 +1,117 @@
+//! Requirements on extraction: a room gives its walls, chair legs give debris.
+
+use cogmap_geometry::{DVec2, Pose, Segment, trig};
+use proptest::prelude::*;
+
+use super::*;
+use crate::perception::End;
+
+fn scan_of(walls: &[Segment], laser: Pose, range_max: f64) -> Scan {
+    let increment = 0.5_f64.to_radians();
+    let angle_min = -90.0_f64.to_radians();
+    let ranges = (0..361)
+        .map(|beam| {
+            let (sin, cos) = trig::sin_cos(laser.heading + angle_min + increment * f64::from(beam));
+            let ray = Segment::new(laser.position, laser.position + DVec2::new(cos, sin) * 100.0);
+            walls
+                .iter()
+                .filter_map(|wall| ray.crossing(*wall))
+                .map(|hit| hit.distance(laser.position))
+                .fold(f64::INFINITY, f64::min)
+        })
+        .collect();
+    Scan { robot_from_laser: Pose::IDENTITY, angle_min, angle_increment: increment, range_max, ranges }
+}
+
+fn room(width: f64, depth: f64) -> Vec<Segment> {
+    let corners = [DVec2::ZERO, DVec2::new(width, 0.0), DVec2::new(width, depth), DVec2::new(0.0, depth)];
+    (0..4).map(|i| Segment::new(corners[i], corners[(i + 1) % 4])).collect()
+}
+
+proptest! {
+    #[test]
+    fn a_noise_free_room_gives_its_visible_walls(
+        width in 3.0f64..7.0, depth in 3.0f64..7.0,
+        x in 0.25f64..0.75, y in 0.25f64..0.75, quarter in 0..4,
+    ) {
+        // Facing a wall squarely: that wall and parts of both side walls are visible.
+        let laser = Pose::new(width * x, depth * y, f64::from(quarter) * trig::FRAC_PI_2);
+        let view = extract(&scan_of(&room(width, depth), laser, 20.0), &Extraction::default());
+        prop_assert_eq!(view.surfaces.len(), 3);
+        let corners = [DVec2::ZERO, DVec2::new(width, 0.0), DVec2::new(width, depth), DVec2::new(0.0, depth)];
+        for (index, surface) in view.surfaces.iter().enumerate() {
+            prop_assert!(surface.residual < 1e-9);
+            let inner_ends: &[DVec2] = match index {
+                0 => &[surface.segment.b],
+                1 => &[surface.segment.a, surface.segment.b],
+                _ => &[surface.segment.a],
+            };
+            for &end in inner_ends {
+                let in_room = laser * end;
+                let off = corners.iter().map(|c| c.distance(in_room)).fold(f64::INFINITY, f64::min);
+                prop_assert!(off < 10.0 * 0.5_f64.to_radians(), "a corner is {} m off", off);
+            }
+        }
+    }
+
+    #[test]
+    fn four_chair_legs_are_never_bridged(x in 1.0f64..3.0, y in -1.0f64..1.0, turn in 0.0f64..1.5) {
+        let legs: Vec<Segment> = [(0.0, 0.0), (0.5, 0.0), (0.5, 0.5), (0.0, 0.5)]
+            .iter()
+            .flat_map(|&(dx, dy)| {
+                let corner = Pose::new(x, y, turn) * DVec2::new(dx, dy);
+                let side = Pose::new(0.0, 0.0, turn);
+                let (u, v) = (side.forward() * 0.03, side.rotate(DVec2::Y) * 0.03);
+                let square = [corner, corner + u, corner + u + v, corner + v];
+                (0..4).map(move |i| Segment::new(square[i], square[(i + 1) % 4]))
+            })
+            .collect();
+        let view = extract(&scan_of(&legs, Pose::IDENTITY, 8.0), &Extraction::default());
+        for surface in &view.surfaces {
+            prop_assert!(surface.length() < 0.3);
+        }
+    }
+
+    #[test]
+    fn any_scan_gives_surfaces_in_the_order_of_their_beams(
+        ranges in prop::collection::vec(prop_oneof![Just(f64::INFINITY), Just(f64::NAN), 0.0f64..9.0, -1.0f64..0.0], 0..200),
+    ) {
+        let scan = Scan {
+            robot_from_laser: Pose::new(0.2, 0.0, 0.0),
+            angle_min: -1.5, angle_increment: 0.015, range_max: 8.0, ranges,
+        };
+        let view = extract(&scan, &Extraction::default());
+        for surface in &view.surfaces {
+            prop_assert!(surface.beams[0] < surface.beams[1]);
+            prop_assert!(surface.length() >= 0.15 && surface.residual.is_finite());
+        }
+        for pair in view.surfaces.windows(2) {
+            prop_assert!(pair[0].beams[1] <= pair[1].beams[0]);
+        }
+    }
+}
+
+#[test]
+fn a_box_in_front_of_a_wall_hides_it() {
+    let wall = Segment::new(DVec2::new(4.0, -3.0), DVec2::new(4.0, 3.0));
+    let front = Segment::new(DVec2::new(2.0, -0.5), DVec2::new(2.0, 0.5));
+    let view = extract(&scan_of(&[wall, front], Pose::IDENTITY, 8.0), &Extraction::default());
+    assert_eq!(view.surfaces.len(), 3);
+    assert_eq!(view.surfaces[0].ends, [End::True, End::Occlusion]);
+    assert_eq!(view.surfaces[1].ends, [End::True, End::True]);
+    assert_eq!(view.surfaces[2].ends, [End::Occlusion, End::True]);
+}
+
+#[test]
+fn a_corridor_ends_at_the_sensors_limit() {
+    let walls = [
+        Segment::new(DVec2::new(-30.0, -1.0), DVec2::new(30.0, -1.0)),
+        Segment::new(DVec2::new(-30.0, 1.0), DVec2::new(30.0, 1.0)),
+    ];
+    let view = extract(&scan_of(&walls, Pose::IDENTITY, 8.0), &Extraction::default());
+    assert_eq!(view.surfaces.len(), 2);
+    for surface in &view.surfaces {
+        assert_eq!(surface.ends, [End::RangeLimit, End::RangeLimit]);
+        assert!(surface.length() > 5.5 && surface.length() < 8.0);
+    }
+}
