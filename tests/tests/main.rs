@@ -1,0 +1,10 @@
+//! End-to-end tests of Cogmap, in one binary.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "in a test, a panic is how a broken promise shows"
+)]
+
+// The crates depend on each other in one direction only, and the robot cannot peek at the truth.
+mod architecture;
