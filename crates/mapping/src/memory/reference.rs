@@ -27,7 +27,7 @@ pub struct ReferenceQuality {
 impl Default for ReferenceQuality {
     fn default() -> Self {
         Self {
-            min_length: 0.4,
+            min_length: 0.3,
             range_floor: 2.0,
             length_agreement: 0.1,
             crossing_angle: 30.0 * trig::PI / 180.0,

@@ -1,0 +1,154 @@
+//! What the theory promises of the map (§2.3, §3.2.1): odometry never reaches it, and nothing that
+//! is stored ever changes.
+
+mod ideal;
+
+use cogmap_geometry::{Pose, Segment, normalize_angle};
+use cogmap_mapping::{
+    Placement, StepReport,
+    memory::{Perceptual, PerceptualParams, StoredSurface},
+};
+use proptest::prelude::*;
+
+/// A hall with three boxes, and a walk along its free side.
+#[derive(Clone, Debug)]
+struct Walk {
+    walls: Vec<Segment>,
+    world_from_robot: Vec<Pose>,
+    odometry_error: Vec<(f64, f64, f64)>,
+}
+
+prop_compose! {
+    fn any_walk()(
+        depth in 7.0f64..9.0,
+        boxes in prop::collection::vec((-0.5f64..0.5, -0.3f64..0.3, 0.15f64..1.4), 3),
+        turns in prop::collection::vec(-0.35f64..0.35, 12),
+        odometry_error in prop::collection::vec((-0.12f64..0.12, -0.12f64..0.12, -0.03f64..0.03), 12),
+    ) -> Walk {
+        let mut pose = Pose::new(1.0, 2.0, 0.0);
+        let mut world_from_robot = vec![pose];
+        for turn in turns {
+            // Turn, then travel; steer back to the middle of the free side.
+            let steered = Pose::new(0.0, 0.0, turn - 0.6 * pose.heading + 0.3 * (2.0 - pose.position.y));
+            pose = pose * steered * Pose::new(0.7, 0.0, 0.0);
+            world_from_robot.push(pose);
+        }
+        Walk { walls: ideal::hall(14.0, depth, &boxes), world_from_robot, odometry_error }
+    }
+}
+
+impl Walk {
+    /// Maps the walk; `share` of the odometry error is on.
+    fn map(&self, share: f64) -> (Perceptual, Vec<StepReport>) {
+        let mut mapper = Perceptual::new(&PerceptualParams::default());
+        let mut reports = Vec::new();
+        let mut odom_from_robot = Pose::IDENTITY;
+        for (index, &world_from_robot) in self.world_from_robot.iter().enumerate() {
+            if let Some(before) = index.checked_sub(1) {
+                let (x, y, turn) = self.odometry_error[before];
+                let moved = self.world_from_robot[before].from_here(world_from_robot);
+                odom_from_robot = odom_from_robot * moved * Pose::new(x * share, y * share, turn * share);
+            }
+            let view = ideal::view(&self.walls, world_from_robot);
+            reports.push(mapper.integrate(view, 0.0, odom_from_robot));
+        }
+        (mapper, reports)
+    }
+
+    /// How far a stored surface lies from the wall that it is a sighting of, metres.
+    fn distance_from_truth(&self, stored: &StoredSurface) -> f64 {
+        let in_world = self.world_from_robot[0] * stored.segment;
+        let off = |wall: &Segment| wall.distance_to(in_world.a).max(wall.distance_to(in_world.b));
+        self.walls.iter().map(off).fold(f64::INFINITY, f64::min)
+    }
+}
+
+fn same_matches(a: &[StepReport], b: &[StepReport]) -> bool {
+    let pairs =
+        |report: &StepReport| -> Vec<_> { report.matches.iter().map(|m| (m.seen, m.known)).collect() };
+    a.iter().zip(b).all(|(a, b)| pairs(a) == pairs(b))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { max_global_rejects: 64, ..ProptestConfig::default() })]
+
+    #[test]
+    fn two_odometry_streams_with_the_same_matches_give_a_bit_identical_map(walk in any_walk()) {
+        let (first, first_reports) = walk.map(0.5);
+        let (second, second_reports) = walk.map(-1.0);
+        prop_assume!(same_matches(&first_reports, &second_reports));
+        let used_odometry = |r: &StepReport| r.placement == Placement::Odometry;
+        prop_assert!(!first_reports.iter().any(used_odometry));
+        prop_assert_eq!(bits(&first), bits(&second));
+    }
+
+    #[test]
+    fn odometry_errors_inside_the_gates_leave_the_map_as_perfect_odometry_makes_it(walk in any_walk()) {
+        let (perfect, perfect_reports) = walk.map(0.0);
+        let (noisy, noisy_reports) = walk.map(1.0);
+        prop_assume!(same_matches(&perfect_reports, &noisy_reports));
+        for (a, b) in perfect.memory().mfis().surfaces().iter().zip(noisy.memory().mfis().surfaces()) {
+            prop_assert!(a.segment.a.distance(b.segment.a) < 1e-9);
+            prop_assert!(a.segment.b.distance(b.segment.b) < 1e-9);
+        }
+        prop_assert_eq!(perfect.memory().mfis().surfaces().len(), noisy.memory().mfis().surfaces().len());
+    }
+
+    #[test]
+    fn ideal_views_give_the_truth_whatever_odometry_says(walk in any_walk()) {
+        let (mapper, reports) = walk.map(1.0);
+        prop_assume!(same_matches(&reports, &walk.map(0.0).1));
+        prop_assert!(reports.iter().skip(1).all(|r| r.placement == Placement::Reference));
+        for stored in mapper.memory().mfis().surfaces() {
+            let off = walk.distance_from_truth(stored);
+            prop_assert!(off < 1e-9, "surface {:?} is {} m off", stored.id, off);
+        }
+        for (report, truth) in reports.iter().zip(&walk.world_from_robot) {
+            let off = (walk.world_from_robot[0] * report.map_from_robot).from_here(*truth);
+            prop_assert!(off.position.length() < 1e-9 && normalize_angle(off.heading).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_stored_surface_never_moves(walk in any_walk()) {
+        let mut mapper = Perceptual::new(&PerceptualParams::default());
+        let mut before: Vec<StoredSurface> = Vec::new();
+        for &world_from_robot in &walk.world_from_robot {
+            mapper.integrate(ideal::view(&walk.walls, world_from_robot), 0.0, world_from_robot);
+            let stored = mapper.memory().mfis().surfaces();
+            prop_assert_eq!(&stored[..before.len()], before.as_slice());
+            before = stored.to_vec();
+        }
+    }
+
+    #[test]
+    fn every_surface_has_at_most_one_partner(walk in any_walk()) {
+        for report in walk.map(1.0).1 {
+            let mut seen: Vec<_> = report.matches.iter().map(|m| m.seen).collect();
+            let mut previous: Vec<_> = report.matches.iter().map(|m| m.previous).collect();
+            seen.sort_unstable();
+            previous.sort_unstable();
+            prop_assert!(seen.windows(2).all(|pair| pair[0] < pair[1]));
+            prop_assert!(previous.windows(2).all(|pair| pair[0] < pair[1]));
+        }
+    }
+
+    #[test]
+    fn the_whole_first_view_is_in_the_map(walk in any_walk()) {
+        let (mapper, reports) = walk.map(0.0);
+        let first = &reports[0];
+        prop_assert_eq!(first.placed.len(), first.view.surfaces.len());
+        for (stored, seen) in mapper.memory().mfis().surfaces().iter().zip(&first.view.surfaces) {
+            prop_assert_eq!(stored.segment, seen.segment);
+        }
+    }
+}
+
+/// Every coordinate of the map, bit by bit.
+fn bits(mapper: &Perceptual) -> Vec<[u64; 4]> {
+    let of = |s: &StoredSurface| {
+        let Segment { a, b } = s.segment;
+        [a.x, a.y, b.x, b.y].map(f64::to_bits)
+    };
+    mapper.memory().mfis().surfaces().iter().map(of).collect()
+}
