@@ -1,5 +1,7 @@
 use cogmap_geometry::Pose;
-use cogmap_mapping::{Event, StepReport};
+use cogmap_mapping::{Event, Mapper, StepReport};
+
+use super::feed::Observation;
 
 /// A pose and when it was held.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,8 +19,6 @@ pub struct Journal {
     pub truth: Vec<Stamped>,
     /// The robot in the odometry's frame, one a scan.
     pub odometry: Vec<Stamped>,
-    /// What happened in the world: step, event.
-    pub events: Vec<(usize, Event)>,
     /// One a mapper, in the order of the record.
     pub mappers: Vec<MapperJournal>,
 }
@@ -30,6 +30,91 @@ pub struct MapperJournal {
     pub estimate: Vec<Stamped>,
     /// What it did with each view.
     pub reports: Vec<StepReport>,
+    /// What happened: the number of the latest view, and the event. What happened in the world
+    /// stands here beside what the mapper did.
+    pub events: Vec<(usize, Event)>,
     /// For each stored surface the solid of the world that most of its points lie on; empty for logs.
     pub true_walls: Vec<Option<u32>>,
+}
+
+/// How long the lists were at some moment; cutting them to it goes back there.
+pub(super) struct Lengths {
+    scans: usize,
+    mappers: Vec<[usize; 3]>,
+}
+
+impl Journal {
+    pub(super) fn for_mappers(count: usize) -> Self {
+        Self { mappers: vec![MapperJournal::default(); count], ..Self::default() }
+    }
+
+    /// Writes down a scan and what each mapper made of it.
+    pub(super) fn write(
+        &mut self,
+        observation: Observation,
+        mappers: &[Mapper],
+        reports: Vec<Option<StepReport>>,
+    ) {
+        let (t, odom_from_robot) = (observation.reading.t, observation.reading.odom_from_robot);
+        self.truth.extend(observation.world_from_robot.map(|pose| Stamped { t, pose }));
+        self.odometry.push(Stamped { t, pose: odom_from_robot });
+        for ((journal, mapper), report) in self.mappers.iter_mut().zip(mappers).zip(reports) {
+            let pose = mapper.map_from_robot(odom_from_robot);
+            journal.estimate.extend(pose.map(|pose| Stamped { t, pose }));
+            if let Some(report) = report {
+                journal.write(report, &observation.beam_solids);
+            }
+        }
+    }
+
+    /// Writes down what happened in the world.
+    pub(super) fn note(&mut self, event: Event) {
+        for journal in &mut self.mappers {
+            let step = journal.reports.len().saturating_sub(1);
+            journal.events.push((step, event.clone()));
+        }
+    }
+
+    pub(super) fn lengths(&self) -> Lengths {
+        let of = |m: &MapperJournal| [m.reports.len(), m.events.len(), m.true_walls.len()];
+        Lengths { scans: self.odometry.len(), mappers: self.mappers.iter().map(of).collect() }
+    }
+
+    pub(super) fn cut(&mut self, to: &Lengths) {
+        self.truth.truncate(to.scans);
+        self.odometry.truncate(to.scans);
+        for (journal, [reports, events, walls]) in self.mappers.iter_mut().zip(&to.mappers) {
+            journal.estimate.truncate(to.scans);
+            journal.reports.truncate(*reports);
+            journal.events.truncate(*events);
+            journal.true_walls.truncate(*walls);
+        }
+    }
+}
+
+impl MapperJournal {
+    fn write(&mut self, report: StepReport, beam_solids: &[Option<u32>]) {
+        self.events.extend(report.events().into_iter().map(|event| (report.step, event)));
+        if !beam_solids.is_empty() {
+            let new = report.view.surfaces.iter().enumerate().filter(|(index, _)| {
+                !report.matches.iter().any(|m| m.seen == *index)
+            });
+            let walls = new.map(|(_, surface)| wall_of(&beam_solids[surface.beams[0]..=surface.beams[1]]));
+            self.true_walls.extend(walls.collect::<Vec<_>>());
+        }
+        self.reports.push(report);
+    }
+}
+
+/// The solid that most of the beams hit; of equals the one with the smallest number.
+fn wall_of(beams: &[Option<u32>]) -> Option<u32> {
+    let mut hits: Vec<u32> = beams.iter().flatten().copied().collect();
+    hits.sort_unstable();
+    let mut best: Option<(usize, u32)> = None;
+    for run in hits.chunk_by(|a, b| a == b) {
+        if best.is_none_or(|(count, _)| run.len() > count) {
+            best = Some((run.len(), run[0]));
+        }
+    }
+    best.map(|(_, solid)| solid)
 }

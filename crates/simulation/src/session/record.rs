@@ -1,7 +1,10 @@
 use cogmap_mapping::MapperSetup;
 use serde::{Deserialize, Serialize};
 
-use crate::{Robot, TimedCommand, World};
+use crate::{Command, Robot, TimedCommand, World};
+
+/// The format that this version writes and reads.
+pub const SESSION_FORMAT: &str = "cogmap-session/1";
 
 /// Everything that a run depends on; running it again gives the same bytes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -48,4 +51,50 @@ pub enum Source {
         #[serde(default)]
         odometry_noise: f64,
     },
+}
+
+impl SessionRecord {
+    /// A run that has not begun.
+    #[must_use]
+    pub fn new(source: Source, mappers: Vec<MapperSetup>, seed: u64) -> Self {
+        let engine = env!("CARGO_PKG_VERSION").to_owned();
+        Self { format: SESSION_FORMAT.to_owned(), engine, source, mappers, seed }
+    }
+
+    /// What the robot was told; a log's robot was told nothing.
+    #[must_use]
+    pub fn commands(&self) -> &[TimedCommand] {
+        match &self.source {
+            Source::World { commands, .. } => commands,
+            Source::Log { .. } => &[],
+        }
+    }
+
+    /// Adds a command at `tick` and ends there what had been recorded; `false` for logs. A velocity
+    /// or a stop that holds already is not written down again.
+    pub(super) fn tell(&mut self, tick: u64, command: Command) -> bool {
+        let Source::World { commands, ticks, .. } = &mut self.source else { return false };
+        commands.retain(|timed| timed.tick < tick);
+        *ticks = tick;
+        let holds = !matches!(command, Command::Step { .. })
+            && commands.last().is_some_and(|last| last.command == command);
+        if !holds {
+            commands.push(TimedCommand { tick, command });
+        }
+        true
+    }
+
+    pub(super) fn lasts_at_least(&mut self, position: u64) {
+        if let Source::World { ticks, .. } = &mut self.source {
+            *ticks = position.max(*ticks);
+        }
+    }
+}
+
+impl Source {
+    /// A world with a robot that has not been told anything yet.
+    #[must_use]
+    pub fn world(world: World, robot: Robot) -> Self {
+        Self::World { world, robot, commands: Vec::new(), ticks: 0 }
+    }
 }

@@ -1,0 +1,178 @@
+use std::sync::Arc;
+
+use cogmap_geometry::Pose;
+use cogmap_mapping::perception::{Moment, Reading, Scan};
+use rand_core::SeedableRng;
+use rand_pcg::Pcg64Mcg;
+
+use super::{
+    SessionRecord, Source,
+    feed::{Observation, Turn},
+};
+use crate::{Body, Command, Laser, Obstacles, Odometer, Problem, RayGrid, Solids, TICK, TimedCommand};
+
+/// While a step is driven the laser records each so many metres …
+const SCAN_DISTANCE: f64 = 0.1;
+/// … or each so many radians.
+const SCAN_TURN: f64 = 5.0 * cogmap_geometry::trig::PI / 180.0;
+/// Under velocity driving it records each so many ticks: at 5 Hz.
+const SCAN_TICKS: u64 = 10;
+
+/// A robot in a world: the part of a session that moves. Cloning it is a checkpoint; what never
+/// changes is shared.
+#[derive(Clone)]
+pub(super) struct Drive {
+    stage: Arc<Stage>,
+    tick: u64,
+    next_command: usize,
+    body: Body,
+    odometer: Odometer,
+    slip: Pcg64Mcg,
+    noise: Pcg64Mcg,
+    motion: Motion,
+    last_look: Option<(u64, Pose, Arc<Scan>)>,
+}
+
+/// What never changes during a run.
+struct Stage {
+    solids: Solids,
+    obstacles: Obstacles,
+    grid: RayGrid,
+    laser: Laser,
+}
+
+/// What is going on, as far as the laser's shutter is concerned.
+#[derive(Clone, Copy, PartialEq)]
+enum Motion {
+    Resting,
+    Stepping,
+    Rolling,
+}
+
+impl Drive {
+    pub(super) fn new(record: &SessionRecord) -> Result<Self, Vec<Problem>> {
+        let Source::World { world, robot, .. } = &record.source else {
+            return Err(vec![Problem {
+                place: "source".to_owned(),
+                message: "a recorded log cannot be driven through: replay it".to_owned(),
+            }]);
+        };
+        let problems = world.problems();
+        if !problems.is_empty() {
+            return Err(problems);
+        }
+        let solids = Solids::of(world);
+        let [mut manufacture, slip, noise] = [0, 1, 2].map(|stream| stream_of(record.seed, stream));
+        let laser = Laser::new(&robot.laser, &mut manufacture);
+        let [x, y] = world.start.position;
+        let start = Pose::new(x, y, world.start.heading_deg.to_radians());
+        Ok(Self {
+            tick: 0,
+            next_command: 0,
+            body: Body::new(robot, start),
+            odometer: Odometer::new(&robot.body),
+            slip,
+            noise,
+            motion: Motion::Resting,
+            last_look: None,
+            stage: Arc::new(Stage {
+                grid: RayGrid::new(&solids.segments, &solids.discs),
+                obstacles: Obstacles::new(&solids),
+                solids,
+                laser,
+            }),
+        })
+    }
+
+    /// One tick: hear, move, count the wheels, look if it is time.
+    pub(super) fn advance(&mut self, commands: &[TimedCommand]) -> Turn {
+        self.hear(commands);
+        let moved = self.body.tick(&self.stage.obstacles, &mut self.slip);
+        self.odometer.record(moved.turns);
+        self.tick += 1;
+        let observation = if moved.step_end.is_some() {
+            self.motion = Motion::Resting;
+            Some(self.scan(Moment::StepEnd))
+        } else {
+            self.moment_to_look().map(|moment| self.scan(moment))
+        };
+        Turn { observation, collision: moved.collision }
+    }
+
+    fn hear(&mut self, commands: &[TimedCommand]) {
+        while let Some(timed) = commands.get(self.next_command).filter(|c| c.tick <= self.tick) {
+            self.body.command(timed.command);
+            self.motion = match timed.command {
+                Command::Step { .. } => Motion::Stepping,
+                Command::Drive { .. } | Command::Stop => Motion::Rolling,
+            };
+            self.next_command += 1;
+        }
+    }
+
+    /// Whether the laser records now, between the ends of steps.
+    fn moment_to_look(&self) -> Option<Moment> {
+        let (last_tick, odom_from_last, _) = self.last_look.as_ref()?;
+        let moved = odom_from_last.from_here(self.odom_from_robot());
+        match self.motion {
+            Motion::Resting => None,
+            Motion::Stepping => {
+                let far = moved.position.length() >= SCAN_DISTANCE || moved.heading.abs() >= SCAN_TURN;
+                far.then_some(Moment::WithinStep)
+            }
+            Motion::Rolling => {
+                let due = self.tick >= last_tick + SCAN_TICKS && moved != Pose::IDENTITY;
+                due.then_some(Moment::Rolling)
+            }
+        }
+    }
+
+    /// The view before the first movement.
+    pub(super) fn look(&mut self) -> Observation {
+        self.scan(Moment::StepEnd)
+    }
+
+    fn scan(&mut self, moment: Moment) -> Observation {
+        let world_from_robot = self.body.world_from_robot();
+        let (scan, beam_solids) = self.stage.laser.scan(&self.stage.grid, world_from_robot, &mut self.noise);
+        let odom_from_robot = self.odom_from_robot();
+        self.last_look = Some((self.tick, odom_from_robot, Arc::new(scan.clone())));
+        let reading = Reading { t: self.time(), odom_from_robot, moment, scan };
+        Observation { reading, world_from_robot: Some(world_from_robot), beam_solids }
+    }
+
+    pub(super) fn tick(&self) -> u64 {
+        self.tick
+    }
+
+    #[allow(clippy::cast_precision_loss, reason = "no run lasts 2^53 ticks")]
+    pub(super) fn time(&self) -> f64 {
+        self.tick as f64 * TICK
+    }
+
+    pub(super) fn at_rest(&self) -> bool {
+        self.body.at_rest()
+    }
+
+    pub(super) fn world_from_robot(&self) -> Pose {
+        self.body.world_from_robot()
+    }
+
+    pub(super) fn odom_from_robot(&self) -> Pose {
+        self.odometer.odom_from_robot()
+    }
+
+    pub(super) fn last_scan(&self) -> Option<&Scan> {
+        self.last_look.as_ref().map(|(_, _, scan)| scan.as_ref())
+    }
+
+    pub(super) fn solids(&self) -> &Solids {
+        &self.stage.solids
+    }
+
+}
+
+/// Independent random numbers for each of the things that chance decides.
+fn stream_of(seed: u64, stream: u64) -> Pcg64Mcg {
+    Pcg64Mcg::seed_from_u64(seed.wrapping_mul(4).wrapping_add(stream))
+}
