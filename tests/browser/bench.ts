@@ -1,0 +1,79 @@
+import { readFile } from 'node:fs/promises';
+import { expect, type Page } from '@playwright/test';
+
+/** The page as its tests see it. */
+export class BenchPage {
+  constructor(readonly page: Page) {}
+
+  /** Opens the page and waits until the robot is under way. */
+  async open(): Promise<void> {
+    await this.page.goto('./');
+    await expect.poll(() => this.surfaces()).toBeGreaterThan(0);
+  }
+
+  get memory() {
+    return this.page.getByRole('region', { name: /memory/i });
+  }
+
+  get world() {
+    return this.page.getByRole('region', { name: 'The world' });
+  }
+
+  /** How many surfaces the memory holds, as the page tells it. */
+  async surfaces(): Promise<number> {
+    const text = await this.memory.innerText({ timeout: 20_000 });
+    return Number(/([\d,]+) surfaces?/.exec(text)?.[1]?.replaceAll(',', '') ?? 0);
+  }
+
+  /** Metres driven, as the page tells it. */
+  async travelled(): Promise<number> {
+    const text = await this.world.innerText();
+    return Number(/([\d.]+) m driven/.exec(text)?.[1] ?? 0);
+  }
+
+  /** Ends the route and lets the robot come to rest. */
+  async takeOver(): Promise<void> {
+    await this.page.getByRole('button', { name: /take the controls/i }).click();
+    await expect(this.page.getByRole('button', { name: 'Play' })).toBeDisabled();
+  }
+
+  /** Drops files on the page. */
+  async drop(...files: { name: string; content: string }[]): Promise<void> {
+    const transfer = await this.page.evaluateHandle((files) => {
+      const data = new DataTransfer();
+      for (const { name, content } of files) data.items.add(new File([content], name));
+      return data;
+    }, files);
+    await this.page.dispatchEvent('body', 'drop', { dataTransfer: transfer });
+  }
+
+  /** Saves one of the things that the page offers and returns it. */
+  async save(what: 'Picture' | 'Session' | 'Map'): Promise<{ name: string; bytes: Buffer }> {
+    const saving = this.page.waitForEvent('download');
+    await this.page.getByRole('button', { name: 'Save', exact: true }).click();
+    await this.page.getByRole('button', { name: new RegExp(`^${what}`) }).click();
+    const download = await saving;
+    return { name: download.suggestedFilename(), bytes: await readFile(await download.path()) };
+  }
+}
+
+/** A short CARMEN log: a robot drives through a rectangular room, straight ahead. */
+export function roomLog(scans: number): string {
+  const beams = 180;
+  const [width, length] = [4, 9];
+  const lines = ['# made for a test', 'PARAM robot_front_laser_max 20.0 robot 0'];
+  for (let scan = 0; scan < scans; scan += 1) {
+    const x = 1 + scan * 0.1;
+    const ranges = Array.from({ length: beams }, (_, beam) => {
+      const bearing = ((beam - 89.5) * Math.PI) / 180;
+      const sideways = width / 2 / Math.abs(Math.sin(bearing));
+      const ahead = (length - x) / Math.cos(bearing);
+      return Math.min(sideways, ahead).toFixed(3);
+    });
+    const pose = `${x.toFixed(3)} 0 0`;
+    const t = (scan * 0.2).toFixed(2);
+    lines.push(`ODOM ${pose} 0.5 0 0 ${t} robot ${t}`);
+    lines.push(`FLASER ${beams} ${ranges.join(' ')} ${pose} ${pose} ${t} robot ${t}`);
+  }
+  return `${lines.join('\n')}\n`;
+}

@@ -1,0 +1,77 @@
+import { expect, test } from '@playwright/test';
+import { BenchPage } from './bench';
+
+test('the page opens on a robot under way, and its memory grows', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  const before = await bench.surfaces();
+  await expect.poll(() => bench.surfaces()).toBeGreaterThan(before);
+  await expect(page.getByText(/^View \d+: \d+ surfaces seen, \d+ recognised/).first()).toBeVisible();
+});
+
+test('arrow keys drive the robot and the memory takes in what it sees', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  await bench.takeOver();
+  const [way, surfaces] = [await bench.travelled(), await bench.surfaces()];
+  await page.keyboard.down('ArrowLeft');
+  await page.waitForTimeout(1500);
+  await page.keyboard.up('ArrowLeft');
+  await page.keyboard.down('KeyW');
+  await expect.poll(() => bench.travelled()).toBeGreaterThan(way + 0.3);
+  await page.keyboard.up('KeyW');
+  await expect.poll(() => bench.surfaces()).toBeGreaterThan(surfaces);
+  await expect(page.getByRole('button', { name: /take the controls/i })).toBeHidden();
+});
+
+test('the buttons drive by mouse, and step by keyboard', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  await bench.takeOver();
+  const turn = page.getByRole('button', { name: 'Turn left' });
+  const clock = page.locator('output');
+  const before = await clock.innerText();
+  await turn.focus();
+  await page.keyboard.press('Enter');
+  await expect(clock).not.toHaveText(before);
+  await expect(page.getByRole('button', { name: 'Play' })).toBeDisabled();
+  const box = await turn.boundingBox();
+  expect(box?.width).toBeGreaterThanOrEqual(44);
+  expect(box?.height).toBeGreaterThanOrEqual(44);
+  const rested = await clock.innerText();
+  await turn.hover();
+  await page.mouse.down();
+  await expect(clock).not.toHaveText(rested);
+  await page.mouse.up();
+});
+
+test('a click in the world sends the robot there', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  await bench.takeOver();
+  const clock = page.locator('output');
+  const before = await clock.innerText();
+  await bench.world.getByRole('img').click({ position: { x: 200, y: 200 } });
+  await expect(clock).not.toHaveText(before);
+});
+
+test('time can be stopped, stepped through and gone back in', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  await page.keyboard.press('Space');
+  await expect(page.getByRole('button', { name: 'Play' })).toBeEnabled();
+  const views = async () => Number(/from (\d+) view/.exec(await bench.memory.innerText())?.[1]);
+  const before = await views();
+  await page.keyboard.press('.');
+  await expect.poll(views).toBe(before + 1);
+  await page.getByRole('slider', { name: 'Timeline' }).fill('0');
+  await expect.poll(views).toBe(1);
+});
+
+test('another seed is another run', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  await page.getByLabel('Seed').fill('7');
+  await page.getByLabel('Seed').press('Enter');
+  await expect.poll(async () => JSON.parse((await bench.save('Session')).bytes.toString()).seed).toBe(7);
+});

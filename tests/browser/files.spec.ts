@@ -1,0 +1,54 @@
+import { expect, test } from '@playwright/test';
+import { BenchPage, roomLog } from './bench';
+
+test('a dropped log is mapped', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  await bench.drop({ name: 'room.log', content: roomLog(40) });
+  await expect(page.getByRole('heading', { name: /the same log/i })).toBeVisible();
+  await expect(page.getByRole('slider', { name: 'Timeline' })).toHaveValue('40');
+  expect(await bench.surfaces()).toBeGreaterThan(0);
+});
+
+test('mapping a log can be cancelled, and the run before it is still there', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  await page.keyboard.press('Space');
+  const before = await bench.memory.innerText();
+  await bench.drop({ name: 'room.log', content: roomLog(75) });
+  await expect(page.getByRole('heading', { name: /the same log/i })).toBeVisible();
+  await page.getByLabel('Speed').selectOption('1×');
+  await page.getByRole('slider', { name: 'Timeline' }).fill('3');
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  await expect(page.getByRole('heading', { name: 'The world' })).toBeVisible();
+  await expect(bench.memory).toHaveText(before, { useInnerText: true });
+});
+
+const hostile: [string, string, string, RegExp][] = [
+  ['a session that is cut off', 'cut.json', '{"format":"cogmap-session/1","engine":', /cut\.json/],
+  ['a session of nonsense', 'odd.json', '{"format":"cogmap-session/1","seed":"<script>alert(1)</script>"}', /odd\.json/],
+  ['a world without a start', 'hut.world.json', '{"format":"cogmap-world/1","name":"Hut"}', /start/],
+  ['a log without scans', 'empty.log', '# nothing\nHELLO 1 2 3\n', /empty\.log/],
+  ['a picture', 'photo.png', '\u0089PNG\r\n\u001a\n\0\0\0', /photo\.png/],
+];
+
+for (const [what, name, content, message] of hostile) {
+  test(`${what} gets an answer, and nothing is lost`, async ({ page }) => {
+    const bench = new BenchPage(page);
+    await bench.open();
+    await bench.drop({ name, content });
+    await expect(page.getByRole('alert')).toContainText(message);
+    expect(await bench.surfaces()).toBeGreaterThan(0);
+    await page.getByRole('button', { name: 'Dismiss' }).click();
+    await expect(page.getByRole('alert')).toBeEmpty();
+  });
+}
+
+test('the picture is a PNG of both views', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  const { name, bytes } = await bench.save('Picture');
+  expect(name).toMatch(/\.png$/);
+  expect(bytes.subarray(1, 4).toString()).toBe('PNG');
+  expect(bytes.readUInt32BE(16)).toBeGreaterThan(bytes.readUInt32BE(20));
+});

@@ -1,0 +1,45 @@
+import { defineConfig } from '@playwright/test';
+
+/** Where the page is served already; without it, the built page is served from `web/dist`. */
+const served = process.env['COGMAP_URL'];
+const port = 4179;
+
+/** Switches that keep the browser itself from talking to anybody. */
+const silence = [
+  '--no-sandbox',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-default-apps',
+  '--disable-domain-reliability',
+  '--disable-features=OptimizationHints,MediaRouter,Translate,AutofillServerCommunication',
+  '--disable-sync',
+  '--metrics-recording-only',
+  '--no-first-run',
+  '--no-pings',
+];
+
+export default defineConfig({
+  testDir: '.',
+  outputDir: 'test-results',
+  timeout: 60_000,
+  expect: { timeout: 20_000 },
+  forbidOnly: true,
+  workers: 1,
+  reporter: 'list',
+  use: {
+    baseURL: served ?? `http://127.0.0.1:${port}`,
+    launchOptions: {
+      executablePath: process.env['CHROMIUM_PATH'] ?? '/usr/bin/chromium',
+      args: silence,
+    },
+    trace: 'retain-on-failure',
+  },
+  ...(served
+    ? {}
+    : {
+        webServer: {
+          command: `npm --prefix ../../web run preview -- --host 127.0.0.1 --port ${port} --strictPort`,
+          url: `http://127.0.0.1:${port}`,
+        },
+      }),
+});

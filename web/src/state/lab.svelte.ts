@@ -1,0 +1,165 @@
+import { proxy, transfer, wrap, type Remote } from 'comlink';
+import { strings } from '../strings';
+import type { Bench } from '../worker/bench';
+import type { Choice, Notice, Offer, Pace, Saved, View } from '../worker/protocol';
+import type { Order, Status } from '../wasm/cogmap_wasm';
+import { save } from './save';
+
+/** Speeds to choose from. */
+export const PACES: Pace[] = [1, 2, 4, 8, 16, 32, 'full'];
+
+/** The building that the page opens on. */
+const OPENING_WORLD = 'office';
+
+/** The one owner of what the page shows; the run itself lives in a worker. */
+export class Lab {
+  offer = $state.raw<Offer>();
+  choice = $state.raw<Choice>({ world: OPENING_WORLD, robot: '', mapper: '', seed: 1 });
+  status = $state.raw<Status>();
+  playing = $state(false);
+  pace = $state<Pace>(2);
+  /** Whether somebody has driven yet: the invitation to do so has done its work. */
+  driven = $state(false);
+  /** Name of the file being read. */
+  reading = $state<string>();
+  /** What went wrong with something that was asked for. */
+  refusal = $state<string>();
+  /** Why there is no laboratory at all. */
+  failure = $state<string>();
+
+  /** Whether the run moves by itself at this moment. */
+  readonly running = $derived(this.playing && this.status !== undefined && !this.status.idle);
+  /** Whether a log is being mapped. */
+  readonly mapping = $derived(
+    this.status?.source === 'log' && this.status.position < this.status.end ? this.status : undefined,
+  );
+
+  private readonly bench: Remote<Bench>;
+
+  constructor() {
+    const worker = new Worker(new URL('../worker/index.ts', import.meta.url), { type: 'module' });
+    worker.addEventListener('error', (event) => (this.failure = event.message));
+    this.bench = wrap<Bench>(worker);
+  }
+
+  /** Hands the canvases to the worker and begins the first run. */
+  async begin(left: HTMLCanvasElement, right: HTMLCanvasElement): Promise<void> {
+    const [one, two] = [left.transferControlToOffscreen(), right.transferControlToOffscreen()];
+    const listen = proxy((notice: Notice) => this.hear(notice));
+    try {
+      const offer = await this.bench.begin(transfer(one, [one]), transfer(two, [two]), listen);
+      const { robot, mapper, seed } = offer.choices;
+      const world = offer.worlds.find(({ file }) => file === OPENING_WORLD) ?? offer.worlds[0];
+      this.offer = offer;
+      await this.start({ world: world?.file ?? '', robot, mapper, seed });
+    } catch (error) {
+      this.failure = reason(error);
+    }
+  }
+
+  /** Begins a new run. */
+  async start(change: Partial<Choice> = {}): Promise<void> {
+    this.choice = { ...this.choice, ...change };
+    await this.ask(() => this.bench.start(this.choice));
+  }
+
+  /** Runs the same thing from the beginning: a world with its route, a file as it is. */
+  async restart(): Promise<void> {
+    if (!this.status?.foreign) await this.start();
+    else await this.ask(() => this.bench.rewind());
+  }
+
+  /** Opens files that somebody brought. */
+  async open(files: File[]): Promise<void> {
+    const [first] = files;
+    if (!first || this.reading) return;
+    this.refusal = undefined;
+    this.reading = first.name;
+    await this.ask(async () => {
+      const brought = await Promise.all(
+        files.slice(0, 2).map(async (file) => ({
+          name: file.name,
+          bytes: new Uint8Array(await file.arrayBuffer()),
+        })),
+      );
+      const buffers = brought.map(({ bytes }) => bytes.buffer);
+      await this.bench.open(transfer(brought, buffers), this.choice);
+      this.driven = true;
+    });
+    this.reading = undefined;
+  }
+
+  order(order: Order): void {
+    if (this.status?.source !== 'world') return;
+    this.driven = true;
+    void this.bench.order(order);
+  }
+
+  reach(x: number, y: number): void {
+    if (this.status?.source !== 'world') return;
+    this.driven = true;
+    void this.bench.reach(x, y);
+  }
+
+  takeOver(): void {
+    this.driven = true;
+    void this.bench.takeOver();
+  }
+
+  cancel = (): void => void this.bench.cancel();
+  toggle = (): void => void this.bench.play(!this.running);
+  next = (): void => void this.bench.next();
+  jump = (position: number): void => void this.bench.jump(position);
+  drag = (x: number, y: number): void => void this.bench.drag(x, y);
+  fit = (): void => void this.bench.fit();
+
+  setPace(pace: Pace): void {
+    this.pace = pace;
+    void this.bench.setPace(pace);
+  }
+
+  /** The next faster or slower speed. */
+  shiftPace(by: 1 | -1): void {
+    const pace = PACES[PACES.indexOf(this.pace) + by];
+    if (pace !== undefined) this.setPace(pace);
+  }
+
+  zoom(factor: number, view?: View, x?: number, y?: number): void {
+    void this.bench.zoom(factor, view, x, y);
+  }
+
+  resize(view: View, width: number, height: number, density: number): void {
+    void this.bench.resize(view, width, height, density);
+  }
+
+  setTheme(theme: 'light' | 'dark'): void {
+    void this.bench.setTheme(theme);
+  }
+
+  savePicture = (): Promise<void> => this.keep(() => this.bench.picture());
+  saveSession = (): Promise<void> => this.keep(() => this.bench.session());
+  saveMap = (): Promise<void> => this.keep(() => this.bench.map());
+
+  private async keep(make: () => Promise<Saved>): Promise<void> {
+    await this.ask(async () => save(await make()));
+  }
+
+  private async ask(work: () => Promise<void>): Promise<void> {
+    try {
+      await work();
+      this.refusal = undefined;
+    } catch (error) {
+      this.refusal = strings.files.refused(reason(error));
+    }
+  }
+
+  private hear({ status, playing, pace }: Notice): void {
+    this.status = status;
+    this.playing = playing;
+    this.pace = pace;
+  }
+}
+
+function reason(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}

@@ -1,0 +1,205 @@
+import init, { Laboratory, type Order } from '../wasm/cogmap_wasm';
+import { Clock } from './clock';
+import { Easel } from './easel';
+import type { Brought, Choice, Notice, Offer, Pace, Saved, View } from './protocol';
+import { worlds } from './worlds';
+
+/** How often the page is told what happens, milliseconds. */
+const NOTICE_INTERVAL = 40;
+
+/** The bench on which the laboratory stands: everything here happens off the page's main thread. */
+export class Bench {
+  private laboratory: Laboratory | undefined;
+  /** The run to go back to when mapping a log is cancelled. */
+  private before: Laboratory | undefined;
+  private readonly easel = new Easel();
+  private readonly clock = new Clock((elapsed, now) => this.turn(elapsed, now));
+  private listen: (notice: Notice) => void = () => undefined;
+  private noticed = 0;
+  private playing = true;
+  private pace: Pace = 2;
+
+  /** Loads the engine and takes over the two canvases. */
+  async begin(
+    left: OffscreenCanvas,
+    right: OffscreenCanvas,
+    listen: (notice: Notice) => void,
+  ): Promise<Offer> {
+    await init();
+    this.easel.take(left, right);
+    this.listen = listen;
+    return { choices: Laboratory.choices(), worlds: worlds.map(({ file, name }) => ({ file, name })) };
+  }
+
+  /** Begins a run in one of the page's buildings, the robot on its way along the building's route. */
+  start(choice: Choice): void {
+    const world = worlds.find(({ file }) => file === choice.world);
+    if (!world) throw new Error(`There is no world called ${choice.world}.`);
+    const { robot, mapper, seed } = choice;
+    this.use(new Laboratory({ world: world.text, file: `${world.file}.world.json`, robot, mapper, seed }));
+    this.before?.free();
+    this.before = undefined;
+  }
+
+  /** Opens what somebody brought; the run at hand stays if it cannot be read. */
+  open(files: Brought[], choice: Choice): void {
+    const [first, second] = files;
+    if (!first) return;
+    const { robot, mapper, seed } = choice;
+    const opened = Laboratory.open({ name: first.name, robot, mapper, seed }, first.bytes, second?.bytes);
+    const left = this.laboratory;
+    this.laboratory = undefined;
+    this.use(opened);
+    if (left && !this.before) this.before = left;
+    else left?.free();
+    if (opened.status().source === 'log') this.pace = 'full';
+  }
+
+  /** Goes back to the run before the log. */
+  cancel(): void {
+    if (!this.before) return;
+    const before = this.before;
+    this.before = undefined;
+    this.use(before);
+    this.play(false);
+  }
+
+  /** Tells the robot what to do. */
+  order(order: Order): void {
+    this.laboratory?.order(order);
+    this.play(true);
+  }
+
+  /** Sends the robot to the place that is seen at a point of the left view. */
+  reach(x: number, y: number): void {
+    if (this.laboratory?.reach(x, y)) this.play(true);
+  }
+
+  /** Ends the playing of the route; from here on the robot waits for orders. */
+  takeOver(): void {
+    this.laboratory?.take_over();
+    this.refresh();
+  }
+
+  play(playing: boolean): void {
+    this.playing = playing;
+    this.refresh();
+  }
+
+  setPace(pace: Pace): void {
+    this.pace = pace;
+    this.refresh();
+  }
+
+  /** Goes on until the next view is taken, then pauses. */
+  next(): void {
+    this.playing = false;
+    this.laboratory?.advance_to_next_view();
+    this.refresh();
+  }
+
+  /** Goes to any moment of the run. */
+  jump(position: number): void {
+    this.playing = false;
+    this.laboratory?.jump(position);
+    this.refresh();
+  }
+
+  /** Runs what was brought from its beginning. */
+  rewind(): void {
+    this.laboratory?.jump(0);
+    this.play(true);
+  }
+
+  resize(view: View, width: number, height: number, density: number): void {
+    this.easel.resize(view, width, height, density);
+    this.laboratory?.resize(view, width, height);
+    this.paint();
+  }
+
+  setTheme(theme: 'light' | 'dark'): void {
+    this.easel.theme = theme;
+    this.paint();
+  }
+
+  drag(x: number, y: number): void {
+    this.laboratory?.drag(x, y);
+    this.refresh();
+  }
+
+  zoom(factor: number, view?: View, x?: number, y?: number): void {
+    this.laboratory?.zoom(factor, view ?? 'left', x, y);
+    this.refresh();
+  }
+
+  fit(): void {
+    this.laboratory?.fit();
+    this.refresh();
+  }
+
+  /** Both views as one picture. */
+  async picture(): Promise<Saved> {
+    const blob = await this.easel.picture(this.mounted());
+    return { name: `${this.mounted().status().stem}.png`, blob };
+  }
+
+  /** The whole session as a file. */
+  session(): Saved {
+    return this.json('session', (laboratory) => laboratory.save_session());
+  }
+
+  /** The map as a file. */
+  map(): Saved {
+    return this.json('map', (laboratory) => laboratory.map_json());
+  }
+
+  private json(kind: string, write: (laboratory: Laboratory) => string): Saved {
+    const laboratory = this.mounted();
+    const blob = new Blob([write(laboratory)], { type: 'application/json' });
+    return { name: `${laboratory.status().stem}.${kind}.json`, blob };
+  }
+
+  private mounted(): Laboratory {
+    if (!this.laboratory) throw new Error('Nothing is running yet.');
+    return this.laboratory;
+  }
+
+  private use(laboratory: Laboratory): void {
+    this.laboratory?.free();
+    this.laboratory = laboratory;
+    for (const view of ['left', 'right'] as const) {
+      const { width, height } = this.easel.size(view);
+      laboratory.resize(view, width, height);
+    }
+    this.play(true);
+  }
+
+  /** One turn of the clock: time passes, and what changed is shown. */
+  private turn(elapsed: number, now: number): boolean {
+    const laboratory = this.laboratory;
+    if (!laboratory) return false;
+    const moved = this.playing && this.clock.pass(laboratory, elapsed, this.pace);
+    if (moved) this.easel.stale = true;
+    const painted = this.easel.paint(laboratory, now);
+    const ended = this.playing && !moved && laboratory.idle;
+    if (ended && laboratory.status().source === 'log') this.playing = false;
+    if (!this.playing || ended || now - this.noticed > NOTICE_INTERVAL) this.notify(now);
+    return (this.playing && !ended) || !painted;
+  }
+
+  private refresh(): void {
+    this.easel.stale = true;
+    this.clock.wake();
+  }
+
+  private paint(): void {
+    if (this.laboratory) this.easel.paintNow(this.laboratory);
+  }
+
+  private notify(now: number): void {
+    if (!this.laboratory) return;
+    this.noticed = now;
+    this.listen({ status: this.laboratory.status(), playing: this.playing, pace: this.pace });
+  }
+}
+

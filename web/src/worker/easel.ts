@@ -1,0 +1,75 @@
+import type { Laboratory, Look } from '../wasm/cogmap_wasm';
+import type { View } from './protocol';
+
+/** Painting may take this share of the time; the rest is the run's. */
+const PAINTING_SHARE = 0.4;
+/** Size of one view in a saved picture, and its density. */
+const PICTURE = { width: 900, height: 900, density: 2 };
+
+interface Sheet {
+  canvas: OffscreenCanvas;
+  context: OffscreenCanvasRenderingContext2D;
+  width: number;
+  height: number;
+}
+
+/** Holds the two canvases and paints on them. */
+export class Easel {
+  theme: Look = 'light';
+  /** Whether the canvases show something older than the run. */
+  stale = true;
+  private readonly sheets = new Map<View, Sheet>();
+  private density = 1;
+  private rested = 0;
+
+  take(left: OffscreenCanvas, right: OffscreenCanvas): void {
+    this.sheets.set('left', sheet(left));
+    this.sheets.set('right', sheet(right));
+  }
+
+  size(view: View): { width: number; height: number } {
+    const { width, height } = this.sheets.get(view) ?? { width: 1, height: 1 };
+    return { width, height };
+  }
+
+  /** `width` and `height` in pixels of the page, of which each has `density` pixels of the screen. */
+  resize(view: View, width: number, height: number, density: number): void {
+    const resized = this.sheets.get(view);
+    if (!resized) return;
+    this.density = density;
+    Object.assign(resized, { width, height });
+    resized.canvas.width = Math.max(1, Math.round(width * density));
+    resized.canvas.height = Math.max(1, Math.round(height * density));
+    this.stale = true;
+  }
+
+  /** Paints what is stale unless painting has had its share; returns whether nothing is stale any more. */
+  paint(laboratory: Laboratory, now: number): boolean {
+    if (this.stale && now >= this.rested) this.paintNow(laboratory);
+    return !this.stale;
+  }
+
+  paintNow(laboratory: Laboratory): void {
+    const begun = performance.now();
+    for (const [view, { context }] of this.sheets) {
+      laboratory.paint(view, context, this.theme, this.density);
+    }
+    const spent = performance.now() - begun;
+    this.rested = begun + spent / PAINTING_SHARE - spent;
+    this.stale = false;
+  }
+
+  /** Both views with titles and legends, side by side. */
+  async picture(laboratory: Laboratory): Promise<Blob> {
+    const { width, height, density } = PICTURE;
+    const canvas = new OffscreenCanvas(2 * width * density, height * density);
+    laboratory.picture(sheet(canvas).context, this.theme, width, height, density);
+    return canvas.convertToBlob({ type: 'image/png' });
+  }
+}
+
+function sheet(canvas: OffscreenCanvas): Sheet {
+  const context = canvas.getContext('2d');
+  if (!context) throw new Error('This browser cannot draw off the main thread.');
+  return { canvas, context, width: 1, height: 1 };
+}

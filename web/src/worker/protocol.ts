@@ -1,0 +1,40 @@
+import type { Choices, Status } from '../wasm/cogmap_wasm';
+
+/** The two views. */
+export type View = 'left' | 'right';
+
+/** How fast time passes: a factor of real time, or as fast as the machine goes. */
+export type Pace = number | 'full';
+
+/** A run in a building that comes with the page. */
+export interface Choice {
+  world: string;
+  robot: string;
+  mapper: string;
+  seed: number;
+}
+
+/** A file that somebody brought. */
+export interface Brought {
+  name: string;
+  bytes: Uint8Array;
+}
+
+/** What the page learns while the laboratory works. */
+export interface Notice {
+  status: Status;
+  playing: boolean;
+  pace: Pace;
+}
+
+/** What there is to choose from, and what is chosen at first. */
+export interface Offer {
+  choices: Choices;
+  worlds: { file: string; name: string }[];
+}
+
+/** A file that is ready to be saved. */
+export interface Saved {
+  name: string;
+  blob: Blob;
+}
