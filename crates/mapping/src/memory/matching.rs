@@ -117,3 +117,73 @@ fn best_partners(mut pairs: Vec<Match>, current: usize, previous: usize) -> Vec<
     pairs.sort_by_key(|pair| pair.seen);
     pairs
 }
+
+#[cfg(test)]
+mod tests {
+    use cogmap_geometry::DVec2;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn wall(a: DVec2, b: DVec2, ends: [End; 2]) -> Surface {
+        let segment = Segment::new(a, b);
+        Surface { segment, ends, beams: [0, 9], points: 10, residual: 0.0, range: 2.0, incidence: 0.3 }
+    }
+
+    fn true_wall(ax: f64, ay: f64, bx: f64, by: f64) -> Surface {
+        wall(DVec2::new(ax, ay), DVec2::new(bx, by), [End::True; 2])
+    }
+
+    fn error(seen: &Surface, known: &Surface) -> PairError {
+        pair_error(seen, known, &Matching::default())
+    }
+
+    proptest! {
+        #[test]
+        fn the_error_grows_with_each_of_its_parts(d1 in 0.0f64..0.4, d2 in 0.0f64..0.4, more in 0.001f64..0.1) {
+            // Both ends shifted outwards along the wall: distances grow, the direction stays.
+            let known = true_wall(0.0, 1.0, 4.0, 1.0);
+            let less = error(&true_wall(-d1, 1.0, 4.0 + d2, 1.0), &known);
+            prop_assert!(error(&true_wall(-d1 - more, 1.0, 4.0 + d2, 1.0), &known).error > less.error);
+            prop_assert!(error(&true_wall(-d1, 1.0, 4.0 + d2 + more, 1.0), &known).error > less.error);
+        }
+
+        #[test]
+        fn the_error_grows_with_the_angle_also_from_zero(turn in 0.0f64..0.2, more in 0.001f64..0.05) {
+            // Turned about its middle: both ends move alike.
+            let turned = |angle: f64| {
+                let (sin, cos) = trig::sin_cos(angle);
+                true_wall(-2.0 * cos, 1.0 - 2.0 * sin, 2.0 * cos, 1.0 + 2.0 * sin)
+            };
+            let known = turned(0.0);
+            prop_assert!(error(&turned(turn + more), &known).error > error(&turned(turn), &known).error);
+            prop_assert!(error(&known, &known).error > 0.0);
+        }
+    }
+
+    #[test]
+    fn a_hidden_end_says_nothing_about_where_the_wall_ends() {
+        let known = true_wall(0.0, 1.0, 4.0, 1.0);
+        let partly = wall(DVec2::new(1.5, 1.02), DVec2::new(4.0, 1.02), [End::Occlusion, End::True]);
+        let fit = error(&partly, &known);
+        assert!((fit.d1 - 0.02).abs() < 1e-9 && (fit.d2 - 0.02).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_wall_is_never_taken_for_its_back() {
+        let front = true_wall(2.0, -1.0, 2.0, 1.0);
+        let back = true_wall(2.05, 1.0, 2.05, -1.0);
+        let tracked = [Tracked { surface: front, known: SurfaceId(0) }];
+        assert!(match_views(&[back], &tracked, Pose::IDENTITY, &Matching::default()).is_empty());
+    }
+
+    #[test]
+    fn the_better_of_two_candidates_becomes_the_partner() {
+        let tracked = [true_wall(2.0, -1.0, 2.0, 1.0), true_wall(2.2, -1.0, 2.2, 1.0)]
+            .map(|surface| Tracked { surface, known: SurfaceId(0) });
+        let matches =
+            match_views(&[true_wall(2.18, -1.0, 2.18, 1.0)], &tracked, Pose::IDENTITY, &Matching::default());
+        assert_eq!(matches.len(), 1);
+        assert_eq!(matches[0].previous, 1);
+    }
+}
