@@ -5,6 +5,7 @@ mod drive;
 mod feed;
 mod journal;
 mod record;
+mod variation;
 
 use std::sync::Arc;
 
@@ -17,7 +18,7 @@ use feed::{Feed, Observation};
 pub use journal::{Journal, MapperJournal, Stamped};
 pub use record::{SESSION_FORMAT, SessionRecord, Source};
 
-use crate::{Command, Problem, Solids, TimedCommand};
+use crate::{Command, Problem, Solids};
 
 /// A world, a robot, a seed and commands, or a recorded log; and the mappers that are fed from it.
 /// The same record always gives the same journal, to the last bit, on every platform.

@@ -43,10 +43,10 @@ fn bearing(point: DVec2) -> f64 {
 fn first_wall(walls: &[Segment], bearing: f64) -> Option<usize> {
     let (sin, cos) = trig::sin_cos(bearing);
     let ray = Segment::new(DVec2::ZERO, DVec2::new(cos, sin) * RANGE);
-    let distance = |wall: &Segment| ray.crossing(*wall).map(DVec2::length);
+    let distance = |wall: &Segment| ray.crossing(*wall).map_or(f64::INFINITY, DVec2::length);
     (0..walls.len())
-        .filter(|&wall| distance(&walls[wall]).is_some())
-        .min_by(|&a, &b| distance(&walls[a]).partial_cmp(&distance(&walls[b])).unwrap())
+        .filter(|&wall| distance(&walls[wall]).is_finite())
+        .min_by(|&a, &b| distance(&walls[a]).total_cmp(&distance(&walls[b])))
 }
 
 fn piece(wall: Segment, from: f64, to: f64, index: usize) -> Surface {
@@ -84,9 +84,8 @@ fn end_at(wall: Segment, at: f64) -> (DVec2, End) {
 /// A rectangular hall with boxes standing in it, far enough from each other that no gate confuses them.
 pub(crate) fn hall(width: f64, depth: f64, boxes: &[(f64, f64, f64)]) -> Vec<Segment> {
     let mut walls = ring(Pose::new(width / 2.0, depth / 2.0, 0.0), width, depth);
-    for (index, &(x, y, turn)) in boxes.iter().enumerate() {
-        let place = f64::from(u32::try_from(index).unwrap());
-        let center = DVec2::new(3.0 + 4.0 * place + x, depth - 2.5 + y);
+    for (&(x, y, turn), place) in boxes.iter().zip([3.0, 7.0, 11.0]) {
+        let center = DVec2::new(place + x, depth - 2.5 + y);
         walls.extend(ring(Pose::new(center.x, center.y, turn), 1.4, 1.2));
     }
     walls
