@@ -1,0 +1,110 @@
+use cogmap_geometry::DVec2;
+
+use crate::{
+    LegendEntry, Role, Sample, Scene, Sheet,
+    brush::Brush,
+    font::{CAP_HEIGHT, text_width},
+    picture::MARGIN,
+    scale_bar::ScaleBar,
+    theme::{Stroke, Style},
+};
+
+/// The strip below the map: scale bar and legend, in as many rows as they need.
+pub(crate) struct Footer {
+    /// Pixels.
+    pub(crate) height: f64,
+    /// Left end and row of each entry of the legend.
+    places: Vec<(f64, usize)>,
+}
+
+/// Pixels.
+const ROW: f64 = 24.0;
+const PADDING: f64 = 10.0;
+const SIZE: f64 = 12.0;
+const SWATCH: f64 = 24.0;
+const RUN_SWATCH: f64 = 68.0;
+const SPACE: f64 = 8.0;
+const GAP: f64 = 22.0;
+
+impl Footer {
+    /// Where everything goes.
+    pub(crate) fn of(scene: &Scene, sheet: &Sheet) -> Self {
+        let entries: &[LegendEntry] = if sheet.legend { &scene.legend } else { &[] };
+        let (mut x, mut row) = (MARGIN + ScaleBar::ROOM + GAP, 0);
+        let mut places = Vec::with_capacity(entries.len());
+        for entry in entries {
+            let width = swatch(entry.sample) + SPACE + text_width(&entry.text, SIZE);
+            if x > MARGIN && x + width > sheet.width - MARGIN {
+                (x, row) = (MARGIN, row + 1);
+            }
+            places.push((x, row));
+            x += width + GAP;
+        }
+        Self { height: 2.0 * PADDING + ROW * (row + 1) as f64, places }
+    }
+
+    /// Draws it over whatever lies there.
+    pub(crate) fn draw(&self, brush: &mut Brush, scene: &Scene) {
+        let (sheet, palette) = (brush.sheet, brush.theme().palette());
+        let top = sheet.height - self.height;
+        ground(brush, top);
+        let middle = |row: usize| top + PADDING + ROW * (row as f64 + 0.5);
+        ScaleBar::of(brush.camera).draw(brush, DVec2::new(MARGIN, middle(0)));
+        for (entry, (x, row)) in scene.legend.iter().zip(&self.places) {
+            let at = DVec2::new(*x, middle(*row).round());
+            draw_sample(brush, entry.sample, at);
+            let text = at + DVec2::new(swatch(entry.sample) + SPACE, SIZE * CAP_HEIGHT * 0.5);
+            brush.text(text, &entry.text, SIZE, palette.muted);
+        }
+    }
+}
+
+fn swatch(sample: Sample) -> f64 {
+    match sample {
+        Sample::Run => RUN_SWATCH,
+        Sample::Line(_) | Sample::Area(_) => SWATCH,
+        Sample::Sign(_) => 8.0,
+        Sample::Robot(_) => 14.0,
+    }
+}
+
+fn ground(brush: &mut Brush, top: f64) {
+    let palette = brush.theme().palette();
+    let (width, height) = (brush.sheet.width, brush.sheet.height);
+    let corners = [(0.0, top), (width, top), (width, height), (0.0, height)].map(DVec2::from);
+    let paper = Style { fill: Some(brush.theme().paper()), stroke: None, ..brush.style(Role::Room) };
+    brush.path(&corners, paper, true);
+    let colour = crate::Colour::solid(palette.hairline);
+    let edge = [DVec2::new(0.0, top + 0.5), DVec2::new(width, top + 0.5)];
+    brush.line(edge, Stroke { colour, width: 1.0, dash: None });
+}
+
+/// Draws a sample whose left end's middle is at `at`.
+fn draw_sample(brush: &mut Brush, sample: Sample, at: DVec2) {
+    let width = swatch(sample);
+    let center = at + DVec2::new(width * 0.5, 0.0);
+    match sample {
+        Sample::Line(role) => {
+            if let Some(stroke) = brush.style(role).stroke {
+                brush.line([at, at + DVec2::new(width, 0.0)], stroke);
+            }
+        }
+        Sample::Area(role) => {
+            let half = DVec2::new(width * 0.5, 6.0);
+            let corners = [-half, half * DVec2::new(1.0, -1.0), half, half * DVec2::new(-1.0, 1.0)];
+            brush.path(&corners.map(|corner| center + corner), brush.style(role), true);
+        }
+        Sample::Sign(role) => brush.sign(center, brush.style(role)),
+        Sample::Robot(role) => brush.robot(center, DVec2::X, 7.0, brush.style(role)),
+        Sample::Run => draw_run(brush, at),
+    }
+}
+
+fn draw_run(brush: &mut Brush, at: DVec2) {
+    const PIECES: usize = 17;
+    for piece in 0..PIECES {
+        let end = |piece: usize| at + DVec2::new(RUN_SWATCH * piece as f64 / PIECES as f64, 0.0);
+        let colour = brush.theme().of_run(piece as f64 / (PIECES - 1) as f64);
+        brush.line([end(piece), end(piece + 1)], Stroke { colour, width: 8.0, dash: None });
+    }
+}

@@ -1,0 +1,67 @@
+use crate::ramp::{ON_DARK, ON_LIGHT, Ramp};
+
+/// The few colours of a theme, as numbers such as `0xff8800`.
+pub(crate) struct Palette {
+    /// The ground.
+    pub(crate) paper: u32,
+    /// The floor of a room, and rims that set things off from it.
+    pub(crate) room: u32,
+    /// What matters most: walls, titles.
+    pub(crate) ink: u32,
+    /// Text and lines that stand back.
+    pub(crate) muted: u32,
+    /// Borders.
+    pub(crate) hairline: u32,
+    /// Boxes and posts.
+    pub(crate) furniture: u32,
+    /// Their outline.
+    pub(crate) furniture_edge: u32,
+    /// Doors.
+    pub(crate) door: u32,
+    /// What the laser sees.
+    pub(crate) laser: u32,
+    /// The robot and its way.
+    pub(crate) robot: u32,
+    /// The reference pair.
+    pub(crate) reference: u32,
+    /// Placements to distrust.
+    pub(crate) warning: u32,
+    /// The world laid over a memory.
+    pub(crate) truth: u32,
+    /// The run, first view to last.
+    pub(crate) ramp: Ramp,
+}
+
+pub(crate) const LIGHT: Palette = Palette {
+    paper: 0xf8f7f4,
+    room: 0xffffff,
+    ink: 0x1c2027,
+    muted: 0x5a616e,
+    hairline: 0xdedbd3,
+    furniture: 0xefece5,
+    furniture_edge: 0x8f897c,
+    door: 0x8a5a2b,
+    laser: 0xd9480f,
+    robot: 0x1f5fd6,
+    reference: 0xd0146c,
+    warning: 0xc2410c,
+    truth: 0xb9b5aa,
+    ramp: ON_LIGHT,
+};
+
+pub(crate) const DARK: Palette = Palette {
+    paper: 0x14171c,
+    room: 0x1b1f26,
+    ink: 0xe8ebf0,
+    muted: 0x9aa3b2,
+    hairline: 0x2c323c,
+    furniture: 0x272c35,
+    furniture_edge: 0x737d8e,
+    door: 0xd2a06a,
+    laser: 0xff9f45,
+    robot: 0x6aa5ff,
+    reference: 0xff62aa,
+    warning: 0xff8f5a,
+    truth: 0x4c5462,
+    ramp: ON_DARK,
+};

@@ -1,0 +1,30 @@
+use crate::Colour;
+
+/// Colours over a run, first view to last: equal steps to the eye (arc length in OKLab), lightness
+/// only ever rising, hues from violet over teal to amber, which the colour-blind keep apart.
+pub(crate) struct Ramp(pub(crate) [u32; 17]);
+
+impl Ramp {
+    /// The colour a share of the way through the run.
+    pub(crate) fn at(&self, share: f64) -> Colour {
+        let Self(stops) = self;
+        let scaled = share.clamp(0.0, 1.0) * (stops.len() - 1) as f64;
+        let below = (scaled as usize).min(stops.len() - 2);
+        match stops.get(below..) {
+            Some(&[from, to, ..]) => Colour::solid(from).towards(Colour::solid(to), scaled - below as f64),
+            _ => Colour::solid(0),
+        }
+    }
+}
+
+/// For a light ground: dark violet to amber, all dark enough for 3:1.
+pub(crate) const ON_LIGHT: Ramp = Ramp([
+    0x2f0474, 0x221781, 0x032889, 0x033478, 0x043f6b, 0x054b66, 0x075764, 0x096362, 0x0b6f5d, 0x0c7951,
+    0x0d813d, 0x27861b, 0x56850d, 0x76850e, 0x91850f, 0xaa8511, 0xc38312,
+]);
+
+/// For a dark ground: violet to light yellow, all light enough for 3:1.
+pub(crate) const ON_DARK: Ramp = Ramp([
+    0x7157be, 0x6565cc, 0x5474d7, 0x3c83dd, 0x1391df, 0x159dd4, 0x17a9cd, 0x19b6c6, 0x1cc2bf, 0x1eceb6,
+    0x1fd9a9, 0x59df99, 0x84e489, 0xa9e779, 0xcae96c, 0xeaea63, 0xfeea70,
+]);
