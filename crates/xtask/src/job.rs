@@ -1,5 +1,6 @@
 use std::ffi::{OsStr, OsString};
 use std::fmt;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crate::failure::Failure;
@@ -10,11 +11,12 @@ pub(crate) struct Job {
     program: OsString,
     arguments: Vec<OsString>,
     variables: Vec<(&'static str, OsString)>,
+    first_on_path: Option<PathBuf>,
 }
 
 impl Job {
     pub(crate) fn new(program: impl Into<OsString>) -> Self {
-        Self { program: program.into(), arguments: Vec::new(), variables: Vec::new() }
+        Self { program: program.into(), arguments: Vec::new(), variables: Vec::new(), first_on_path: None }
     }
 
     /// Adds arguments written in one string, split at white space.
@@ -32,6 +34,12 @@ impl Job {
 
     pub(crate) fn variable(mut self, name: &'static str, value: impl Into<OsString>) -> Self {
         self.variables.push((name, value.into()));
+        self
+    }
+
+    /// Looks programs up in this folder before all others.
+    pub(crate) fn first_on_path(mut self, folder: impl Into<PathBuf>) -> Self {
+        self.first_on_path = Some(folder.into());
         self
     }
 
@@ -59,6 +67,9 @@ impl Job {
         for (name, value) in &self.variables {
             command.env(name, value);
         }
+        if let Some(folder) = &self.first_on_path {
+            command.env("PATH", path_starting_with(folder));
+        }
         command
     }
 
@@ -69,6 +80,9 @@ impl Job {
 
 impl fmt::Display for Job {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(folder) = &self.first_on_path {
+            write!(formatter, "PATH={}:\"$PATH\" ", quoted(folder.as_os_str()))?;
+        }
         for (name, value) in &self.variables {
             write!(formatter, "{name}={} ", quoted(value))?;
         }
@@ -78,6 +92,13 @@ impl fmt::Display for Job {
         }
         Ok(())
     }
+}
+
+/// The search path with this folder in front; as it was if it cannot be written so.
+fn path_starting_with(folder: &Path) -> OsString {
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let folders = std::iter::once(folder.to_path_buf()).chain(std::env::split_paths(&path));
+    std::env::join_paths(folders).unwrap_or(path)
 }
 
 /// The text as a shell would read it back.
@@ -99,8 +120,10 @@ mod tests {
         let job = Job::new("cargo")
             .words("doc --workspace")
             .argument("it's here")
-            .variable("RUSTDOCFLAGS", "-D warnings");
-        let typed = r"RUSTDOCFLAGS='-D warnings' cargo doc --workspace 'it'\''s here'";
+            .variable("RUSTDOCFLAGS", "-D warnings")
+            .first_on_path("/opt/tools");
+        let typed =
+            r#"PATH=/opt/tools:"$PATH" RUSTDOCFLAGS='-D warnings' cargo doc --workspace 'it'\''s here'"#;
         assert_eq!(job.to_string(), typed);
     }
 
@@ -113,5 +136,12 @@ mod tests {
     #[test]
     fn a_program_that_does_not_exist_has_no_output() {
         assert_eq!(Job::new("cogmap-no-such-program").output(), None);
+    }
+
+    #[test]
+    fn the_folder_comes_first_on_the_path() {
+        let path = path_starting_with(Path::new("/opt/tools"));
+        let first = std::env::split_paths(&path).next();
+        assert_eq!(first.as_deref(), Some(Path::new("/opt/tools")));
     }
 }
