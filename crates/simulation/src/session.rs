@@ -5,7 +5,6 @@ mod drive;
 mod feed;
 mod journal;
 mod record;
-mod variation;
 
 use std::sync::Arc;
 
