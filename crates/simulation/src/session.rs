@@ -5,6 +5,7 @@ mod drive;
 mod feed;
 mod journal;
 mod record;
+mod variation;
 
 use std::sync::Arc;
 
