@@ -1,0 +1,196 @@
+use std::path::PathBuf;
+
+use clap::builder::PossibleValuesParser;
+use clap::{Args, Parser, Subcommand};
+use cogmap_mapping::MapperSetup;
+
+/// The mapper of a command that names none.
+pub(crate) const DEFAULT_MAPPER: &str = "perceptual";
+
+/// What the command line asks for.
+#[derive(Debug, Parser)]
+#[command(
+    name = "cogmap",
+    version,
+    about = "A laboratory for robot mapping: drives virtual robots, maps recorded logs, checks files",
+    after_help = "Example: cogmap run worlds/small-office.world.json --out first-run\n\
+                  Example: cogmap replay intel.log.gz --out intel\n\
+                  `cogmap COMMAND --help` explains a command.\n\n\
+                  Exit code: 0 done, 1 the run failed, 2 bad usage or bad input.",
+    arg_required_else_help = true,
+    disable_help_subcommand = true
+)]
+pub(crate) struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) request: Request,
+}
+
+/// One of the commands.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Request {
+    /// Drive a virtual robot along a route and map what its laser sees
+    #[command(after_help = RUN_EXAMPLES)]
+    Run(RunArguments),
+    /// Map a recorded log, or run a session again
+    #[command(after_help = REPLAY_EXAMPLES)]
+    Replay(ReplayArguments),
+    /// Say what files are, what is in them and what is wrong with them
+    #[command(after_help = CHECK_EXAMPLES)]
+    Check(CheckArguments),
+}
+
+const RUN_EXAMPLES: &str = "\
+Example: cogmap run worlds/small-office.world.json --out first-run
+Example: cogmap run worlds/small-office.world.json --robot good --seed 7 --route random
+Example: cogmap run worlds/small-office.world.json --mapper perceptual --mapper odometry --out both
+
+The person who drives sees the true building; the mappers see only the laser and the wheels.
+A robot FILE is a JSON file; `--out` leaves one in session.json, under \"robot\".";
+
+const REPLAY_EXAMPLES: &str = "\
+Example: cogmap replay intel.log.gz --out intel
+Example: cogmap replay intel.log.gz --every 0.5 --odometry-noise 3 --seed 2 --out noisy
+Example: cogmap replay intel/session.json --out again
+
+A session gives every file but timing.json again, byte for byte. It finds its log by the path
+that it was given, or beside itself, and makes sure that it is the very same log.";
+
+const CHECK_EXAMPLES: &str = "\
+Example: cogmap check worlds/*.world.json
+Example: cogmap check intel.log.gz first-run/session.json
+
+Exit code 2 if anything is wrong with any of the files.";
+
+/// `cogmap run`.
+#[derive(Debug, Args)]
+pub(crate) struct RunArguments {
+    /// World file to drive in (NAME.world.json)
+    pub(crate) world: PathBuf,
+    /// How far the odometry can be trusted: perfect, good, bad, or a robot FILE
+    #[arg(long, value_name = "perfect|good|bad|FILE", default_value = "bad")]
+    pub(crate) robot: PathBuf,
+    /// Way through the building: a route of the world, a FILE with a list of points
+    /// [[x,y],…] in metres, or random [default: the world's first route]
+    #[arg(long, value_name = "NAME|FILE|random")]
+    pub(crate) route: Option<PathBuf>,
+    /// Everything random comes from it
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(crate) seed: u64,
+    #[command(flatten)]
+    pub(crate) mappers: MapperArguments,
+    #[command(flatten)]
+    pub(crate) output: OutputArguments,
+}
+
+/// `cogmap replay`.
+#[derive(Debug, Args)]
+pub(crate) struct ReplayArguments {
+    /// Recorded log (CARMEN .log or .clf), or session.json of an earlier run; gzipped or not
+    #[arg(value_name = "LOG|SESSION")]
+    pub(crate) input: PathBuf,
+    /// Keep one scan each M metres or M radians, whichever comes first [default: every scan]
+    #[arg(long, value_name = "M", value_parser = above_zero)]
+    pub(crate) every: Option<f64>,
+    /// Make the log's odometry worse by this factor; 1 is mild, 10 is a very bad robot
+    #[arg(long, value_name = "K", value_parser = zero_or_above, allow_negative_numbers = true)]
+    pub(crate) odometry_noise: Option<f64>,
+    /// The added noise comes from it [default: 1]
+    #[arg(long, value_name = "N")]
+    pub(crate) seed: Option<u64>,
+    /// Stop at the first broken line instead of counting and skipping it
+    #[arg(long)]
+    pub(crate) strict: bool,
+    #[command(flatten)]
+    pub(crate) mappers: MapperArguments,
+    #[command(flatten)]
+    pub(crate) output: OutputArguments,
+}
+
+/// `cogmap check`.
+#[derive(Debug, Args)]
+pub(crate) struct CheckArguments {
+    /// Worlds, logs and sessions
+    #[arg(value_name = "FILE", required = true)]
+    pub(crate) files: Vec<PathBuf>,
+}
+
+/// Which mappers.
+#[derive(Debug, Args)]
+pub(crate) struct MapperArguments {
+    /// Mapper to feed with the readings; give it again for more mappers on the same run
+    #[arg(long = "mapper", value_name = "NAME",
+        value_parser = PossibleValuesParser::new(MapperSetup::NAMES))]
+    pub(crate) names: Vec<String>,
+}
+
+/// Where the files go.
+#[derive(Debug, Args)]
+pub(crate) struct OutputArguments {
+    /// Directory for the map, the trajectories, the events, the session; made if it is missing.
+    /// Without it only the summary is shown
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Replace the files of an earlier run in DIR
+    #[arg(long, requires = "out")]
+    pub(crate) force: bool,
+    /// In the .tum files a row for every odometry record, not only for every scan
+    #[arg(long, requires = "out")]
+    pub(crate) dense: bool,
+}
+
+fn above_zero(text: &str) -> Result<f64, String> {
+    match number(text)? {
+        value if value > 0.0 => Ok(value),
+        _ => Err("give a number above 0".into()),
+    }
+}
+
+fn zero_or_above(text: &str) -> Result<f64, String> {
+    match number(text)? {
+        value if value >= 0.0 => Ok(value),
+        _ => Err("give 0 (no noise) or a number above it".into()),
+    }
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        _ => Err("give a number such as 0.5".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_definition_of_the_arguments_holds_together() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn the_default_mapper_exists() {
+        assert!(MapperSetup::named(DEFAULT_MAPPER).is_some());
+    }
+
+    #[test]
+    fn every_command_explains_itself_with_an_example() {
+        let mut root = Arguments::command();
+        assert!(root.render_long_help().to_string().contains("Example: cogmap"));
+        for command in root.get_subcommands_mut() {
+            let help = command.render_long_help().to_string();
+            assert!(help.contains(&format!("Example: cogmap {}", command.get_name())), "{help}");
+        }
+    }
+
+    #[test]
+    fn numbers_out_of_range_are_refused_with_a_hint() {
+        for text in ["0", "-1", "nan", "inf", "1e999", "", "half"] {
+            assert!(above_zero(text).is_err(), "{text}");
+        }
+        assert_eq!(zero_or_above("0"), Ok(0.0));
+        assert!(zero_or_above("-0.1").is_err());
+    }
+}

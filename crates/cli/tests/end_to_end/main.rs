@@ -1,0 +1,13 @@
+//! The built program, run as its users run it.
+
+/// What every test needs: a place of its own, the program, a small world and a small log.
+mod workbench;
+
+/// What `run`, `replay` and `check` leave on disk and on screen, and how they end.
+mod command_line;
+
+/// Arguments and files that cannot be used: each ends with exit code 2, the place and the way out.
+mod bad_arguments;
+
+/// The logs of real robots, where they are at hand.
+mod real_logs;
