@@ -9,7 +9,8 @@ use crate::{
     theme::{Stroke, Style},
 };
 
-/// The strip below the map: scale bar and legend, in as many rows as they need.
+/// The strip below the map: scale bar and legend, in as many rows as they need. Without a legend the
+/// scale bar stands on the map.
 pub(crate) struct Footer {
     /// Pixels.
     pub(crate) height: f64,
@@ -47,7 +48,9 @@ impl Footer {
     pub(crate) fn draw(&self, brush: &mut Brush, scene: &Scene) {
         let (sheet, palette) = (brush.sheet, brush.theme().palette());
         let top = sheet.height - self.height;
-        ground(brush, top);
+        if !self.places.is_empty() {
+            ground(brush, top);
+        }
         let middle = |row: usize| top + PADDING + ROW * (row as f64 + 0.5);
         ScaleBar::of(brush.camera).draw(brush, DVec2::new(MARGIN, middle(0)));
         for (entry, (x, row)) in scene.legend.iter().zip(&self.places) {
@@ -76,7 +79,7 @@ fn ground(brush: &mut Brush, top: f64) {
     brush.path(&corners, paper, true);
     let colour = crate::Colour::solid(palette.hairline);
     let edge = [DVec2::new(0.0, top + 0.5), DVec2::new(width, top + 0.5)];
-    brush.line(edge, Stroke { colour, width: 1.0, dash: None });
+    brush.line(edge, Stroke { colour, width: 1.0 });
 }
 
 /// Draws a sample whose left end's middle is at `at`.
@@ -86,7 +89,8 @@ fn draw_sample(brush: &mut Brush, sample: Sample, at: DVec2) {
     match sample {
         Sample::Line(role) => {
             if let Some(stroke) = brush.style(role).stroke {
-                brush.line([at, at + DVec2::new(width, 0.0)], stroke);
+                let cap = DVec2::new(stroke.width * 0.5, 0.0);
+                brush.line([at + cap, at + DVec2::new(width, 0.0) - cap], stroke);
             }
         }
         Sample::Area(role) => {
@@ -102,9 +106,11 @@ fn draw_sample(brush: &mut Brush, sample: Sample, at: DVec2) {
 
 fn draw_run(brush: &mut Brush, at: DVec2) {
     const PIECES: usize = 17;
+    const WIDTH: f64 = 8.0;
     for piece in 0..PIECES {
-        let end = |piece: usize| at + DVec2::new(RUN_SWATCH * piece as f64 / PIECES as f64, 0.0);
+        let length = (RUN_SWATCH - WIDTH) / PIECES as f64;
+        let end = |piece: usize| at + DVec2::new(0.5 * WIDTH + length * piece as f64, 0.0);
         let colour = brush.theme().of_run(piece as f64 / (PIECES - 1) as f64);
-        brush.line([end(piece), end(piece + 1)], Stroke { colour, width: 8.0, dash: None });
+        brush.line([end(piece), end(piece + 1)], Stroke { colour, width: WIDTH });
     }
 }

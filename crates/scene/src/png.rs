@@ -3,7 +3,7 @@
 use ab_glyph::{Font, FontRef, OutlineCurve};
 use cogmap_geometry::DVec2;
 use tiny_skia::{
-    Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke as Pen, StrokeDash, Transform,
+    Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke as Pen, Transform,
 };
 
 use crate::{Anchor, Colour, FONT, HALO, Mark, Picture, Scene, Sheet, theme::Stroke};
@@ -61,7 +61,7 @@ impl Canvas {
             Mark::Text { at, text, size, anchor, colour, halo } => {
                 let path = self.outline(*at, text, *size, *anchor);
                 if let Some(halo) = *halo {
-                    let rim = Stroke { colour: halo, width: 2.0 * HALO, dash: None };
+                    let rim = Stroke { colour: halo, width: 2.0 * HALO };
                     self.put(path.clone(), None, Some(rim));
                 }
                 self.put(path, Some(*colour), None);
@@ -149,9 +149,8 @@ fn ink(colour: Colour) -> Paint<'static> {
 }
 
 fn pen(stroke: Stroke) -> Pen {
-    let dash = stroke.dash.and_then(|[on, off]| StrokeDash::new(vec![on as f32, off as f32], 0.0));
     let (line_cap, line_join) = (LineCap::Round, LineJoin::Round);
-    Pen { width: stroke.width as f32, line_cap, line_join, dash, ..Pen::default() }
+    Pen { width: stroke.width as f32, line_cap, line_join, ..Pen::default() }
 }
 
 #[cfg(test)]
@@ -172,7 +171,8 @@ mod tests {
     #[test]
     fn the_font_holds_every_sign_that_labels_use() {
         let font = FontRef::try_from_slice(FONT).unwrap();
-        for letter in "äöüÄÖÜßéèêàçñåøæœšžłÉ°±×−·–—…→←≈≤≥²µ„“‘’".chars() {
+        for letter in "äöüÄÖÜßéèêàçñåøæœšžłÉ°±×−·–—…→←≈≤≥²µ„“‘’".chars()
+        {
             assert_ne!(font.glyph_id(letter).0, 0, "{letter}");
         }
     }

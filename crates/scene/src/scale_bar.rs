@@ -13,7 +13,7 @@ pub(crate) struct ScaleBar {
 
 impl ScaleBar {
     /// Pixels that bar and text may take.
-    pub(crate) const ROOM: f64 = LONGEST + 56.0;
+    pub(crate) const ROOM: f64 = LONGEST + 44.0;
 
     /// The longest bar of 1, 2 or 5 times a power of ten that fits.
     pub(crate) fn of(camera: Camera) -> Self {
@@ -26,19 +26,21 @@ impl ScaleBar {
     pub(crate) fn draw(&self, brush: &mut Brush, at: DVec2) {
         const SIZE: f64 = 12.0;
         let palette = brush.theme().palette();
-        let stroke = Stroke { colour: Colour::solid(palette.ink), width: 1.5, dash: None };
         let (left, right) = (at, at + DVec2::new(self.length, 0.0));
         let tick = DVec2::new(0.0, 4.0);
-        brush.line([left, right], stroke);
-        brush.line([left - tick, left + tick], stroke);
-        brush.line([right - tick, right + tick], stroke);
+        for (number, width) in [(palette.paper, 5.5), (palette.ink, 1.5)] {
+            let stroke = Stroke { colour: Colour::solid(number), width };
+            brush.line([left, right], stroke);
+            brush.line([left - tick, left + tick], stroke);
+            brush.line([right - tick, right + tick], stroke);
+        }
         let text = right + DVec2::new(8.0, SIZE * CAP_HEIGHT * 0.5);
         brush.text(text, &self.text, SIZE, palette.ink);
     }
 }
 
 /// Pixels.
-const LONGEST: f64 = 110.0;
+const LONGEST: f64 = 100.0;
 /// Metres and how they are written.
 const LENGTHS: [(f64, &str); 14] = [
     (0.01, "1 cm"),

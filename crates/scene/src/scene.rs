@@ -100,7 +100,7 @@ impl Scene {
     pub fn bounds(&self) -> Option<Bounds> {
         let items = self.still.iter().chain(&self.changing);
         let lasting = items.filter(|item| !matches!(item.role, Role::LaserFan | Role::LaserHit));
-        lasting.flat_map(|item| item.shape.extremes()).fold(None, |bounds, point| Bounds::around(bounds, point))
+        lasting.flat_map(|item| item.shape.extremes()).fold(None, Bounds::around)
     }
 }
 

@@ -59,13 +59,15 @@ fn write_mark(out: &mut String, mark: &Mark) {
                 Anchor::Middle => " text-anchor=\"middle\"",
             };
             let rim = halo.map_or(String::new(), |halo| {
-                let stroke = Stroke { colour: halo, width: 2.0 * HALO, dash: None };
+                let stroke = Stroke { colour: halo, width: 2.0 * HALO };
                 format!("{} paint-order=\"stroke\"", stroke_of(Some(stroke)))
             });
             let fill = paint_of("fill", Some(*colour));
             let text = escaped(text);
-            let _ =
-                writeln!(out, "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\"{anchor}{fill}{rim}>{text}</text>");
+            let _ = writeln!(
+                out,
+                "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\"{anchor}{fill}{rim}>{text}</text>"
+            );
         }
     }
 }
@@ -75,10 +77,8 @@ fn look(fill: Option<Colour>, stroke: Option<Stroke>) -> String {
 }
 
 fn stroke_of(stroke: Option<Stroke>) -> String {
-    let Some(Stroke { colour, width, dash }) = stroke else { return String::new() };
-    let dash =
-        dash.map_or(String::new(), |[on, off]| format!(" stroke-dasharray=\"{} {}\"", number(on), number(off)));
-    format!("{} stroke-width=\"{}\"{dash}", paint_of("stroke", Some(colour)), number(width))
+    let Some(Stroke { colour, width }) = stroke else { return String::new() };
+    format!("{} stroke-width=\"{}\"", paint_of("stroke", Some(colour)), number(width))
 }
 
 fn paint_of(what: &str, colour: Option<Colour>) -> String {
@@ -130,7 +130,8 @@ mod tests {
 
     #[test]
     fn numbers_are_short_and_exact() {
-        let cases = [(0.0, "0"), (-0.001, "0"), (1.5, "1.5"), (-12.345, "-12.35"), (0.07, "0.07"), (640.0, "640")];
+        let cases =
+            [(0.0, "0"), (-0.001, "0"), (1.5, "1.5"), (-12.345, "-12.35"), (0.07, "0.07"), (640.0, "640")];
         for (value, text) in cases {
             assert_eq!(number(value), text);
         }

@@ -23,8 +23,6 @@ pub struct Stroke {
     pub colour: Colour,
     /// Pixels.
     pub width: f64,
-    /// Pixels on and pixels off; `None` is solid.
-    pub dash: Option<[f64; 2]>,
 }
 
 /// The sign that marks a single place; its size does not depend on the scale.
@@ -93,7 +91,7 @@ impl Theme {
                 Style::line(self.of_run(share(view)), (pixels_per_metre * 0.04).clamp(1.0, 2.5))
             }
             Role::DebrisOfView(view) => Style::line(self.of_run(share(view)), 0.75),
-            Role::SeenNow => Style::line(solid(palette.robot).with_alpha(70), 6.0),
+            Role::SeenNow => Style::line(solid(palette.robot).with_alpha(90), 6.0),
             Role::ReferenceKnown => Style::line(solid(palette.reference).with_alpha(90), 9.0),
             Role::ReferenceSeen => Style::line(solid(palette.reference), 2.0),
             Role::Path => Style::line(solid(palette.muted), 1.0),
@@ -107,11 +105,11 @@ impl Theme {
 
 impl Style {
     fn line(colour: Colour, width: f64) -> Self {
-        Self { fill: None, stroke: Some(Stroke { colour, width, dash: None }), sign: Sign::Dot(width) }
+        Self { fill: None, stroke: Some(Stroke { colour, width }), sign: Sign::Dot(width) }
     }
 
     fn area(fill: Colour, edge: Option<(Colour, f64)>) -> Self {
-        let stroke = edge.map(|(colour, width)| Stroke { colour, width, dash: None });
+        let stroke = edge.map(|(colour, width)| Stroke { colour, width });
         Self { fill: Some(fill), stroke, sign: Sign::Dot(1.0) }
     }
 
@@ -120,7 +118,7 @@ impl Style {
     }
 
     fn hollow(self, palette: &Palette) -> Self {
-        let stroke = self.fill.map(|colour| Stroke { colour, width: 1.5, dash: None });
+        let stroke = self.fill.map(|colour| Stroke { colour, width: 1.5 });
         Self { fill: Some(Colour::solid(palette.paper)), stroke, ..self }
     }
 }

@@ -1,0 +1,157 @@
+use cogmap_geometry::{DVec2, Pose, Segment};
+use cogmap_mapping::{Mapper, MapperSetup, Placement, StepReport, memory::StoredSurface};
+use cogmap_simulation::{BoxObstacle, Door, MapperJournal, Session, Source};
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    Item, Role, Sample, Scene, Shape,
+    label::plural,
+    world_scene::{robot_radius, walls},
+};
+
+/// What of a robot's memory is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct MemoryOptions {
+    /// The world laid over it, so that both agree about the first view.
+    pub truth: bool,
+    /// Where the robot believes that it went, and how its views were placed.
+    pub path: bool,
+    /// The latest view, and the reference that it was placed by.
+    pub view: bool,
+}
+
+impl Default for MemoryOptions {
+    fn default() -> Self {
+        Self { truth: false, path: true, view: true }
+    }
+}
+
+/// Surfaces below this are thin, metres.
+const DEBRIS: f64 = 0.4;
+/// The colours of a short run are spread over this many views at least.
+const FEW_VIEWS: usize = 8;
+
+/// What a robot holds in memory: the MFIS of one mapper, and itself in it. Empty where the session
+/// has no such mapper.
+#[must_use]
+pub fn memory_scene(session: &Session, mapper: usize, options: MemoryOptions) -> Scene {
+    let (Some(journal), Some(mind)) = (session.journal().mappers.get(mapper), session.mappers().get(mapper))
+    else {
+        return Scene::default();
+    };
+    let name = session.record().mappers.get(mapper).map_or("", MapperSetup::name);
+    let views = journal.reports.len();
+    let mut scene = Scene { views: views.max(FEW_VIEWS), ..Scene::default() };
+    (scene.title, scene.note) = words(session, name, mind, views);
+    scene.explain(Sample::Run, &format!("seen first in view 1 … {}", scene.views));
+    if options.truth {
+        draw_truth(&mut scene, session, journal);
+    }
+    scene.still.extend(surfaces(mind.mfis().surfaces()));
+    let robot = mind.map_from_robot(session.odom_from_robot());
+    if options.path {
+        draw_path(&mut scene, mind, journal, robot);
+    }
+    if let (true, Some(report)) = (options.view, journal.reports.last()) {
+        draw_view(&mut scene, mind, report);
+    }
+    if let Some(robot) = robot {
+        let shape = Shape::Robot(robot, robot_radius(session));
+        scene.changing.push(Item::new(Role::BelievedRobot, shape));
+        scene.explain(Sample::Robot(Role::BelievedRobot), "where the robot believes it is");
+    }
+    scene
+}
+
+fn words(session: &Session, name: &str, mind: &Mapper, views: usize) -> (String, String) {
+    let surfaces = plural(mind.mfis().surfaces().len(), "surface");
+    let counts = format!("{surfaces} from {}", plural(views, "view"));
+    let note = match &session.record().source {
+        Source::World { world, robot, .. } => format!("{} · {} robot · {counts}", world.name, robot.name),
+        Source::Log { path, .. } => {
+            format!("{} · {counts}", path.rsplit(['/', '\\']).next().unwrap_or(path))
+        }
+    };
+    (format!("The robot’s memory: {name}"), note)
+}
+
+/// Debris first, so that walls lie above it; oldest first.
+fn surfaces(stored: &[StoredSurface]) -> Vec<Item> {
+    let (debris, long): (Vec<_>, Vec<_>) =
+        stored.iter().partition(|surface| surface.segment.length() < DEBRIS);
+    let of_views = |surfaces: &[&StoredSurface], role: fn(usize) -> Role| -> Vec<Item> {
+        let runs = surfaces.chunk_by(|a, b| a.step == b.step);
+        let item = |run: &[&StoredSurface]| {
+            let segments = run.iter().map(|surface| surface.segment).collect();
+            Some(Item::new(role(run.first()?.step), Shape::Segments(segments)))
+        };
+        runs.filter_map(item).collect()
+    };
+    let mut items = of_views(&debris, Role::DebrisOfView);
+    items.extend(of_views(&long, Role::SurfaceOfView));
+    items
+}
+
+fn draw_path(scene: &mut Scene, mind: &Mapper, journal: &MapperJournal, robot: Option<Pose>) {
+    let points: Vec<_> = mind.path().iter().map(|point| point.map_from_robot.position).collect();
+    let tail = points.last().zip(robot).map(|(last, robot)| vec![*last, robot.position]);
+    scene.changing.extend(tail.map(|tail| Item::new(Role::Path, Shape::Polyline(tail))));
+    scene.still.push(Item::new(Role::Path, Shape::Polyline(points.clone())));
+    scene.still.push(Item::new(Role::PathStep, Shape::Signs(points)));
+    scene.explain(Sample::Sign(Role::PathStep), "a view");
+    if matches!(mind, Mapper::Odometry(_)) {
+        return; // every view is placed by odometry, so marking them would say nothing
+    }
+    let marks = [
+        (Placement::WeakReference, Role::WeakPlacement, "placed with a guess"),
+        (Placement::Odometry, Role::FallbackPlacement, "placed by odometry"),
+    ];
+    for (placement, role, text) in marks {
+        let placed = journal.reports.iter().filter(|report| report.placement == placement);
+        let places: Vec<DVec2> = placed.map(|report| report.map_from_robot.position).collect();
+        if !places.is_empty() {
+            scene.still.push(Item::new(role, Shape::Signs(places)));
+            scene.explain(Sample::Sign(role), text);
+        }
+    }
+}
+
+fn draw_view(scene: &mut Scene, mind: &Mapper, report: &StepReport) {
+    let segments: Vec<Segment> =
+        report.view.surfaces.iter().map(|surface| report.map_from_robot * surface.segment).collect();
+    let by_reference = matches!(report.placement, Placement::Reference | Placement::WeakReference);
+    let reference = report.references.first().filter(|_| by_reference);
+    let pair = reference.and_then(|best| Some((mind.mfis().get(best.known)?, *segments.get(best.seen)?)));
+    scene.changing.push(Item::new(Role::SeenNow, Shape::Segments(segments)));
+    scene.explain(Sample::Line(Role::SeenNow), "seen now");
+    if let Some((known, seen)) = pair {
+        scene.changing.extend([
+            Item::new(Role::ReferenceKnown, Shape::Segments(vec![known.segment])),
+            Item::new(Role::ReferenceSeen, Shape::Segments(vec![seen])),
+            Item::new(Role::ReferenceSeen, Shape::Signs(vec![seen.a, seen.b])),
+        ]);
+        scene.explain(Sample::Line(Role::ReferenceKnown), "reference as known");
+        scene.explain(Sample::Line(Role::ReferenceSeen), "and as seen now");
+    }
+}
+
+/// Lays the world over the memory so that the first view was taken in the same place in both.
+fn draw_truth(scene: &mut Scene, session: &Session, journal: &MapperJournal) {
+    let (Source::World { world, .. }, Some(first)) = (&session.record().source, journal.reports.first())
+    else {
+        return;
+    };
+    let truth = session.journal().truth.iter().find(|stamped| stamped.t == first.t);
+    let (Some(truth), Some(world_from_robot)) = (truth, session.world_from_robot()) else { return };
+    let map_from_world = first.map_from_robot * truth.pose.inverse();
+    let boxes = world.boxes.iter().flat_map(BoxObstacle::edges);
+    let leaves = world.doors.iter().map(Door::leaf);
+    let solids = walls(world).into_iter().chain(boxes).chain(leaves);
+    let lines = solids.map(|solid| map_from_world * solid).collect();
+    scene.still.push(Item::new(Role::Truth, Shape::Segments(lines)));
+    let robot = Shape::Robot(map_from_world * world_from_robot, robot_radius(session));
+    scene.changing.push(Item::new(Role::Robot, robot));
+    scene.explain(Sample::Line(Role::Truth), "the world");
+    scene.explain(Sample::Robot(Role::Robot), "where the robot is");
+}

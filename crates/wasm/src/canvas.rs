@@ -1,0 +1,205 @@
+//! The painter for the browser's canvas.
+
+use cogmap_geometry::{DVec2, trig::TAU};
+use cogmap_scene::{Anchor, Colour, FONT_FAMILY, HALO, Item, Mark, Picture, Scene, Sheet, Stroke};
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{OffscreenCanvas, OffscreenCanvasRenderingContext2d as Context};
+
+/// Where on a canvas a sheet lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Place {
+    /// Upper left corner, in pixels of the page.
+    pub(crate) corner: DVec2,
+    /// Pixels of the canvas to one of the page.
+    pub(crate) density: f64,
+}
+
+/// Paints scenes, and keeps what of them has not changed since the last time.
+#[derive(Debug, Default)]
+pub(crate) struct Canvas {
+    kept: Option<Kept>,
+}
+
+/// The still part of a picture, and everything that it depends on.
+#[derive(Debug)]
+struct Kept {
+    items: Vec<Item>,
+    views: usize,
+    sheet: Sheet,
+    density: f64,
+    canvas: OffscreenCanvas,
+}
+
+impl Canvas {
+    /// Paints a scene at its place on a canvas.
+    ///
+    /// # Errors
+    /// What the browser has against it, such as a canvas that is too large.
+    pub(crate) fn paint(
+        &mut self,
+        context: &Context,
+        scene: &Scene,
+        sheet: &Sheet,
+        place: Place,
+    ) -> Result<(), JsValue> {
+        let sheet = Sheet { camera: Some(sheet.camera_for(scene)), ..*sheet };
+        let Place { corner, density } = place;
+        let still = self.still(scene, &sheet, density)?;
+        context.save();
+        context.set_transform(density, 0.0, 0.0, density, corner.x * density, corner.y * density)?;
+        context.begin_path();
+        context.rect(0.0, 0.0, sheet.width, sheet.height);
+        context.clip();
+        context.draw_image_with_offscreen_canvas_and_dw_and_dh(still, 0.0, 0.0, sheet.width, sheet.height)?;
+        let moving = Picture::changing(scene, &sheet);
+        let painted = draw(context, moving.iter().chain(&Picture::surround(scene, &sheet)), density);
+        context.restore();
+        painted
+    }
+
+    /// The still part, painted anew only where something differs.
+    fn still(&mut self, scene: &Scene, sheet: &Sheet, density: f64) -> Result<&OffscreenCanvas, JsValue> {
+        let kept = self.kept.take().filter(|kept| kept.shows(scene, sheet, density));
+        let kept = match kept {
+            Some(kept) => kept,
+            None => Kept::paint(scene, sheet, density)?,
+        };
+        Ok(&self.kept.insert(kept).canvas)
+    }
+}
+
+impl Kept {
+    fn shows(&self, scene: &Scene, sheet: &Sheet, density: f64) -> bool {
+        (self.views, self.density) == (scene.views, density)
+            && self.sheet == *sheet
+            && self.items == scene.still
+    }
+
+    fn paint(scene: &Scene, sheet: &Sheet, density: f64) -> Result<Self, JsValue> {
+        let pixels = |length: f64| (length * density).round().max(1.0) as u32;
+        let canvas = OffscreenCanvas::new(pixels(sheet.width), pixels(sheet.height))?;
+        let context = canvas.get_context("2d")?.ok_or("this browser has no more room to draw in")?;
+        let context: Context = context.unchecked_into();
+        context.scale(density, density)?;
+        context.set_fill_style_str(&sheet.theme.paper().css());
+        context.fill_rect(0.0, 0.0, sheet.width, sheet.height);
+        draw(&context, &Picture::still(scene, sheet), density)?;
+        Ok(Self { items: scene.still.clone(), views: scene.views, sheet: *sheet, density, canvas })
+    }
+}
+
+fn draw<'a>(context: &Context, marks: impl IntoIterator<Item = &'a Mark>, density: f64) -> Result<(), JsValue> {
+    context.set_line_cap("round");
+    context.set_line_join("round");
+    for mark in marks {
+        match mark {
+            Mark::Lines { stroke, lines } => draw_lines(context, *stroke, lines, density),
+            Mark::Path { points, closed, fill, stroke } => {
+                trace(context, points, *closed);
+                put(context, *fill, *stroke);
+            }
+            Mark::Circles { circles, fill, stroke } => {
+                context.begin_path();
+                for (center, radius) in circles {
+                    context.move_to(center.x + radius, center.y);
+                    context.arc(center.x, center.y, *radius, 0.0, TAU)?;
+                }
+                put(context, *fill, *stroke);
+            }
+            Mark::Text { at, text, size, anchor, colour, halo } => {
+                context.set_font(&format!("{size}px {FONT_FAMILY}"));
+                context.set_text_align(match anchor {
+                    Anchor::Start => "left",
+                    Anchor::Middle => "center",
+                });
+                write(context, *at, text, *colour, *halo)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn draw_lines(context: &Context, stroke: Stroke, lines: &[[DVec2; 2]], density: f64) {
+    set_pen(context, stroke);
+    let together = stroked_together(stroke, density);
+    context.begin_path();
+    for [a, b] in lines {
+        if !together {
+            context.begin_path();
+        }
+        context.move_to(a.x, a.y);
+        context.line_to(b.x, b.y);
+        if !together {
+            context.stroke();
+        }
+    }
+    if together {
+        context.stroke();
+    }
+}
+
+/// Browsers draw a path of many hairlines much faster than the lines one by one, and a path of many
+/// wide lines much slower. Lines that let the ground through must not do so twice where they meet.
+fn stroked_together(stroke: Stroke, density: f64) -> bool {
+    stroke.width * density <= 1.0 || stroke.colour.alpha < u8::MAX
+}
+
+fn trace(context: &Context, points: &[DVec2], closed: bool) {
+    context.begin_path();
+    for (index, point) in points.iter().enumerate() {
+        if index == 0 {
+            context.move_to(point.x, point.y);
+        } else {
+            context.line_to(point.x, point.y);
+        }
+    }
+    if closed {
+        context.close_path();
+    }
+}
+
+fn put(context: &Context, fill: Option<Colour>, stroke: Option<Stroke>) {
+    if let Some(fill) = fill {
+        context.set_fill_style_str(&fill.css());
+        context.fill();
+    }
+    if let Some(stroke) = stroke {
+        set_pen(context, stroke);
+        context.stroke();
+    }
+}
+
+fn write(
+    context: &Context,
+    at: DVec2,
+    text: &str,
+    colour: Colour,
+    halo: Option<Colour>,
+) -> Result<(), JsValue> {
+    if let Some(colour) = halo {
+        set_pen(context, Stroke { colour, width: 2.0 * HALO });
+        context.stroke_text(text, at.x, at.y)?;
+    }
+    context.set_fill_style_str(&colour.css());
+    context.fill_text(text, at.x, at.y)
+}
+
+fn set_pen(context: &Context, stroke: Stroke) {
+    context.set_stroke_style_str(&stroke.colour.css());
+    context.set_line_width(stroke.width);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hairlines_go_together_and_wide_lines_one_by_one() {
+        let black = Colour::solid(0);
+        let stroke = |colour, width| Stroke { colour, width };
+        assert!(stroked_together(stroke(black, 1.0), 1.0));
+        assert!(!stroked_together(stroke(black, 1.0), 2.0));
+        assert!(!stroked_together(stroke(black, 2.0), 1.0));
+        assert!(stroked_together(stroke(black.with_alpha(90), 6.0), 2.0));
+    }
+}
