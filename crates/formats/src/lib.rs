@@ -1,1 +1,26 @@
-//! Under construction.
+//! Every file that Cogmap reads or writes.
+//!
+//! | file | read | written |
+//! |---|---|---|
+//! | world, `NAME.world.json` | [`world::read`] | [`world::write`], [`world::schema`] |
+//! | session, `session.json` | [`session::read`] | [`session::write`] |
+//! | CARMEN log | [`carmen::read`] | |
+//! | trajectory, `*.tum` | [`tum::read`] | [`tum::write`] |
+//! | what a run leaves | | [`run::files`] |
+//!
+//! Whatever a file contains, reading it ends in a value or in a [`FormatError`] that names the place
+//! and the way out; it neither panics nor takes memory without bound. Writing gives the same bytes
+//! for the same value everywhere.
+
+pub mod carmen;
+mod digest;
+mod error;
+pub mod gzip;
+mod json;
+pub mod run;
+pub mod session;
+pub mod tum;
+pub mod world;
+
+pub use digest::sha256_hex;
+pub use error::{Complaint, FormatError, Place};

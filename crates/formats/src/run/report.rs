@@ -1,0 +1,146 @@
+use cogmap_mapping::{Event, MapperSetup, Placement};
+use cogmap_simulation::{MapperJournal, Robot, Session, Source, Stamped};
+use serde::Serialize;
+
+use super::{Extras, labels, trajectory};
+use crate::{carmen::Counts, json};
+
+/// `report.json`: how it went in numbers, and every parameter that mattered.
+#[derive(Serialize)]
+struct Report<'a> {
+    format: &'static str,
+    program: Program,
+    seed: u64,
+    source: SourceNote<'a>,
+    run: Run,
+    mappers: Vec<MapperNote<'a>>,
+}
+
+#[derive(Serialize)]
+struct Program {
+    name: &'static str,
+    version: &'static str,
+}
+
+#[derive(Serialize)]
+#[serde(tag = "from", rename_all = "snake_case")]
+enum SourceNote<'a> {
+    World {
+        name: &'a str,
+        robot: &'a Robot,
+        commands: usize,
+        ticks: u64,
+    },
+    Log {
+        path: &'a str,
+        sha256: &'a str,
+        every: Option<f64>,
+        odometry_noise: f64,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        lines: Option<&'a Counts>,
+    },
+}
+
+#[derive(Serialize)]
+struct Run {
+    scans: usize,
+    /// Seconds from the first scan to the last.
+    duration: f64,
+    /// Metres, from scan to scan, as odometry has it.
+    odometry_path_length: f64,
+    /// Metres, from scan to scan.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    path_length: Option<f64>,
+    collisions: usize,
+}
+
+#[derive(Serialize)]
+struct MapperNote<'a> {
+    name: &'static str,
+    #[serde(skip_serializing_if = "str::is_empty")]
+    label: &'a str,
+    views: usize,
+    surfaces: usize,
+    /// Metres of all stored surfaces together.
+    surface_length: f64,
+    matches: usize,
+    references: usize,
+    weak_placements: usize,
+    fallbacks: usize,
+    /// Metres, from view to view, in the map.
+    path_length: f64,
+    parameters: &'a MapperSetup,
+}
+
+/// The report of the whole run as a file.
+#[must_use]
+pub fn report(session: &Session, extras: Extras<'_>) -> String {
+    let record = session.record();
+    let labels = labels(record);
+    let mappers = (0..record.mappers.len()).zip(&labels);
+    let report = Report {
+        format: "cogmap-report/1",
+        program: Program { name: "cogmap", version: env!("CARGO_PKG_VERSION") },
+        seed: record.seed,
+        source: source_note(&record.source, extras.log),
+        run: run(session),
+        mappers: mappers.filter_map(|(index, label)| mapper_note(session, index, label)).collect(),
+    };
+    let mut text = json::write(&report, 8);
+    text.push('\n');
+    text
+}
+
+fn source_note<'a>(source: &'a Source, lines: Option<&'a Counts>) -> SourceNote<'a> {
+    match source {
+        Source::World { world, robot, commands, ticks } => {
+            SourceNote::World { name: &world.name, robot, commands: commands.len(), ticks: *ticks }
+        }
+        Source::Log { path, sha256, every, odometry_noise } => {
+            SourceNote::Log { path, sha256, every: *every, odometry_noise: *odometry_noise, lines }
+        }
+    }
+}
+
+fn run(session: &Session) -> Run {
+    let odometry = trajectory::odometry(session, None);
+    let truth = session.world_from_robot().map(|_| length(&trajectory::truth(session)));
+    let duration = odometry.first().zip(odometry.last()).map_or(0.0, |(first, last)| last.t - first.t);
+    Run {
+        scans: session.journal().odometry.len(),
+        duration,
+        odometry_path_length: length(&odometry),
+        path_length: truth,
+        collisions: session.journal().mappers.first().map_or(0, collisions),
+    }
+}
+
+fn collisions(journal: &MapperJournal) -> usize {
+    journal.events.iter().filter(|(_, event)| matches!(event, Event::Collision { .. })).count()
+}
+
+fn length(poses: &[Stamped]) -> f64 {
+    poses.windows(2).map(|pair| pair[0].pose.position.distance(pair[1].pose.position)).sum()
+}
+
+fn mapper_note<'a>(session: &'a Session, index: usize, label: &'a str) -> Option<MapperNote<'a>> {
+    let parameters = session.record().mappers.get(index)?;
+    let (mapper, journal) = (session.mappers().get(index)?, session.journal().mappers.get(index)?);
+    let placed_by = |placement| journal.reports.iter().filter(|report| report.placement == placement).count();
+    let path: Vec<Stamped> =
+        mapper.path().iter().map(|point| Stamped { t: point.t, pose: point.map_from_robot }).collect();
+    let surfaces = mapper.mfis().surfaces();
+    Some(MapperNote {
+        name: parameters.name(),
+        label,
+        views: journal.reports.len(),
+        surfaces: surfaces.len(),
+        surface_length: surfaces.iter().map(|surface| surface.segment.length()).sum(),
+        matches: journal.reports.iter().map(|report| report.matches.len()).sum(),
+        references: placed_by(Placement::Reference) + placed_by(Placement::WeakReference),
+        weak_placements: placed_by(Placement::WeakReference),
+        fallbacks: placed_by(Placement::Odometry),
+        path_length: length(&path),
+        parameters,
+    })
+}
