@@ -1,17 +1,49 @@
 use serde::{Deserialize, Serialize};
 
-/// A robot: its body, its laser and how much its wheels lie.
+mod check;
+
+/// A robot: its body, its laser and how much its wheels lie. Of a robot file only the name is
+/// needed: the rest defaults to a Pioneer 3-DX with a SICK LMS200 and faultless odometry.
+///
+/// ```
+/// use cogmap_simulation::Robot;
+/// let robot: Robot = serde_json::from_str(
+///     r#"{"name": "mine", "laser": {"noise": 0.02}, "odometry": {"slip": 0.004}}"#).unwrap();
+/// assert!(robot.problems().is_empty());
+/// assert_eq!(robot.body, Robot::named("bad").unwrap().body);
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Robot {
     /// `perfect`, `good`, `bad`, or a name of one's own.
     pub name: String,
     /// What moves.
+    #[serde(default)]
     pub body: BodyParams,
     /// What sees.
+    #[serde(default)]
     pub laser: LaserParams,
     /// What measures the movement.
+    #[serde(default)]
     pub odometry: OdometryErrors,
+}
+
+impl Robot {
+    /// The names that [`Robot::named`] knows.
+    pub const NAMES: [&str; 3] = ["perfect", "good", "bad"];
+
+    /// A robot by name: `perfect` has no errors at all; `good` and `bad` are the two robots of
+    /// §3.1.4, whose raw odometry is off by about 10° and 90° after a loop of 90 m.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        let (laser, odometry) = match name {
+            "perfect" => (LaserParams::default().faultless(), OdometryErrors::default()),
+            "good" => (LaserParams::default(), OdometryErrors::good()),
+            "bad" => (LaserParams::default(), OdometryErrors::bad()),
+            _ => return None,
+        };
+        Some(Self { name: name.to_owned(), body: BodyParams::default(), laser, odometry })
+    }
 }
 
 /// A differential drive with a round footprint; the defaults are a Pioneer 3-DX.
@@ -66,8 +98,10 @@ pub struct LaserParams {
     pub bias: f64,
     /// Share of beams lost at grazing incidence (90°); falls to none at normal incidence.
     pub grazing_dropout: f64,
-    /// Share of beams on a depth edge that return a range in between.
+    /// Share of depth edges that one of the two beams at the edge reports as a range in between.
     pub mixed_pixels: f64,
+    /// Ranges are rounded to multiples of this, metres; 0 keeps them as they are.
+    pub resolution: f64,
 }
 
 impl Default for LaserParams {
@@ -81,7 +115,29 @@ impl Default for LaserParams {
             bias: 0.003,
             grazing_dropout: 0.5,
             mixed_pixels: 0.5,
+            resolution: 0.001,
         }
+    }
+}
+
+impl LaserParams {
+    /// A SICK LMS200 in centimetre mode: ten times the reach, a tenth of the resolution.
+    #[must_use]
+    pub fn lms200_long() -> Self {
+        Self { range_max: 81.9, resolution: 0.01, ..Self::default() }
+    }
+
+    /// A small scanner in the manner of a Hokuyo URG: 240° in 683 beams, 4 m.
+    #[must_use]
+    pub fn urg() -> Self {
+        let field = Self { field_of_view_deg: 240.0, beams: 683, range_max: 4.0, ..Self::default() };
+        Self { noise: 0.01, bias: 0.005, ..field }
+    }
+
+    /// The same scanner without any error.
+    #[must_use]
+    pub fn faultless(self) -> Self {
+        Self { noise: 0.0, bias: 0.0, grazing_dropout: 0.0, mixed_pixels: 0.0, resolution: 0.0, ..self }
     }
 }
 
@@ -97,4 +153,18 @@ pub struct OdometryErrors {
     pub axle: f64,
     /// Random slip of each wheel, metres per square root of a metre travelled (1 σ).
     pub slip: f64,
+}
+
+impl OdometryErrors {
+    /// The newer robot of §3.1.4.
+    #[must_use]
+    pub fn good() -> Self {
+        Self { left_radius: -0.000_33, right_radius: 0.000_33, axle: 0.005, slip: 0.0027 }
+    }
+
+    /// The older robot of §3.1.4: its right wheel is worn less than its left one.
+    #[must_use]
+    pub fn bad() -> Self {
+        Self { left_radius: -0.0029, right_radius: 0.0029, axle: 0.02, slip: 0.006 }
+    }
 }

@@ -1,6 +1,12 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+mod check;
+mod numbers;
+mod reach;
+
+pub use check::Problem;
+
 /// A building as its author wrote it down: the content of a `NAME.world.json` file. Metres, and
 /// degrees counter-clockwise. Routes and rooms are for people and for scoring; no robot sees them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

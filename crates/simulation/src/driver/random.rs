@@ -1,0 +1,83 @@
+use cogmap_geometry::DVec2;
+use rand_core::SeedableRng;
+use rand_pcg::Pcg64Mcg;
+
+use super::planner::Planner;
+use crate::{Robot, World, chance};
+
+/// How long a random route may be, metres.
+const LENGTHS: [f64; 2] = [10.0, 60.0];
+/// How far from its start it ends at least, metres.
+const AWAY: f64 = 6.0;
+/// Its points lie at most so far apart, metres: a step of the thesis's long drives.
+const STEP: f64 = 0.85;
+/// The room that the places to visit have around them besides the robot's own, metres.
+const AMPLE: f64 = 0.15;
+/// How many ways are begun, and how many places are drawn for each, before giving up.
+const TRIES: usize = 20;
+
+/// A route through places drawn at random, 10–60 m long, that ends at least 6 m from the start: the
+/// same for the same seed.
+pub fn random_route(world: &World, robot: &Robot, seed: u64) -> Result<Vec<DVec2>, String> {
+    let mut planner = Planner::new(world, &[], robot.body.radius);
+    let start = DVec2::from(world.start.position);
+    let mut places = planner.reachable(start, LENGTHS[1]);
+    places.retain(|&place| planner.room_at(place) >= robot.body.radius + AMPLE);
+    let mut rng = Pcg64Mcg::seed_from_u64(seed);
+    let away = |tour: &Tour| tour.points.last().is_some_and(|end| end.distance(start) >= AWAY);
+    let possible = places.iter().any(|place| place.distance(start) >= AWAY);
+    let tries =
+        (0..if possible { TRIES } else { 0 }).map(|_| Tour::through(&places, &mut planner, start, &mut rng));
+    let tour = tries.flatten().find(away);
+    tour.map(|tour| tour.in_steps()).ok_or_else(|| {
+        format!("found no way of 10 to 60 m that ends {AWAY} m from the start: choose a route of your own")
+    })
+}
+
+fn draw(places: &[DVec2], rng: &mut Pcg64Mcg) -> Option<DVec2> {
+    places.get((chance::uniform(rng) * places.len() as f64) as usize).copied()
+}
+
+/// A way under construction.
+#[derive(Clone)]
+struct Tour {
+    length: f64,
+    points: Vec<DVec2>,
+}
+
+impl Tour {
+    /// Visits places drawn at random until it is as long as it was drawn to be.
+    fn through(places: &[DVec2], planner: &mut Planner, start: DVec2, rng: &mut Pcg64Mcg) -> Option<Self> {
+        let [least, most] = LENGTHS;
+        let wanted = least + (most - AWAY - least) * chance::uniform(rng);
+        let mut tour = Self { length: 0.0, points: vec![start] };
+        for _ in 0..TRIES {
+            planner.rest();
+            let longer = tour.extended(draw(places, rng), planner);
+            tour = longer.filter(|tour| tour.length <= most).unwrap_or(tour);
+            if tour.length >= wanted {
+                return Some(tour);
+            }
+        }
+        (tour.length >= least).then_some(tour)
+    }
+
+    fn extended(&self, to: Option<DVec2>, planner: &mut Planner) -> Option<Self> {
+        let mut tour = self.clone();
+        for point in planner.way(*tour.points.last()?, to?).ok()? {
+            tour.length += tour.points.last()?.distance(point);
+            tour.points.push(point);
+        }
+        Some(tour)
+    }
+
+    /// Its points after the start, with others between so that none is more than a step from the next.
+    fn in_steps(&self) -> Vec<DVec2> {
+        let legs = self.points.iter().zip(self.points.iter().skip(1));
+        let split = legs.flat_map(|(&from, &to)| {
+            let steps = (from.distance(to) / STEP).ceil().max(1.0);
+            (1..=steps as u32).map(move |k| from.lerp(to, f64::from(k) / steps))
+        });
+        split.collect()
+    }
+}

@@ -1,0 +1,113 @@
+use rand_core::SeedableRng;
+use rand_pcg::Pcg64Mcg;
+
+use super::*;
+use crate::{Body, Obstacles, Odometer, Solids, World};
+
+/// What became of a drive.
+pub(crate) struct Trip {
+    pub(crate) steps: usize,
+    pub(crate) collisions: usize,
+    pub(crate) length: f64,
+    /// How close the robot came to anything, metres from its rim; at most half a metre.
+    pub(crate) gap: f64,
+    pub(crate) end: Pose,
+    /// Odometry's heading less the true one, radians, not wrapped.
+    pub(crate) heading_error: f64,
+    /// Metres between where odometry believes and where the robot is.
+    pub(crate) position_error: f64,
+}
+
+/// Drives a route from the world's start, without a laser.
+pub(crate) fn drive(world: &World, robot: &Robot, route: &[DVec2], seed: u64) -> Result<Trip, String> {
+    let obstacles = Obstacles::new(&Solids::of(world));
+    let mut driver = Driver::new(world, robot, route)?;
+    let [x, y] = world.start.position;
+    let start = Pose::new(x, y, world.start.heading_deg.to_radians());
+    let (mut body, mut odometer) = (Body::new(robot, start), Odometer::new(&robot.body));
+    let mut rng = Pcg64Mcg::seed_from_u64(seed);
+    let mut trip = Trip {
+        steps: 0,
+        collisions: 0,
+        length: 0.0,
+        gap: 0.5,
+        end: start,
+        heading_error: 0.0,
+        position_error: 0.0,
+    };
+    while let Some(command) = driver.next_command(body.world_from_robot()) {
+        trip.steps += 1;
+        body.command(command);
+        loop {
+            let (before, believed) = (body.world_from_robot(), odometer.odom_from_robot());
+            let tick = body.tick(&obstacles, &mut rng);
+            odometer.record(tick.turns);
+            let after = body.world_from_robot();
+            trip.collisions += usize::from(tick.collision.is_some());
+            trip.length += before.position.distance(after.position);
+            trip.heading_error += normalize_angle(odometer.odom_from_robot().heading - believed.heading)
+                - normalize_angle(after.heading - before.heading);
+            let near = obstacles.nearest(after.position, robot.body.radius + 0.5);
+            trip.gap = near.map_or(trip.gap, |n| trip.gap.min(n.distance - robot.body.radius));
+            if tick.step_end.is_some() {
+                break;
+            }
+        }
+    }
+    trip.end = body.world_from_robot();
+    trip.position_error = (start * odometer.odom_from_robot().position).distance(trip.end.position);
+    Ok(trip)
+}
+
+/// A closed loop of 90 m around a block of 27 m by 18 m in steps of 0.85 m, either way round.
+fn loop_of_90_metres(clockwise: bool) -> (World, Vec<DVec2>) {
+    let side = if clockwise { -1.0 } else { 1.0 };
+    let corners = [[0.0, 0.0], [27.0, 0.0], [27.0, 18.0], [0.0, 18.0], [0.0, 0.0]].map(DVec2::from);
+    let legs = corners.windows(2).flat_map(|ends| {
+        let steps = (ends[0].distance(ends[1]) / 0.85).round() as u32;
+        (1..=steps).map(move |k| ends[0].lerp(ends[1], f64::from(k) / f64::from(steps)))
+    });
+    let route = legs.map(|point| DVec2::new(point.x, side * point.y)).collect();
+    let text = r#"{"format": "cogmap-world/1", "name": "Loop", "start": {"position": [0, 0]}}"#;
+    (serde_json::from_str(text).unwrap(), route)
+}
+
+fn median(mut numbers: Vec<f64>) -> f64 {
+    numbers.sort_by(f64::total_cmp);
+    numbers[numbers.len() / 2]
+}
+
+/// Median heading error, degrees, and mean position error, metres, at the end of the loop.
+fn drift(name: &str, seeds: std::ops::Range<u64>) -> [f64; 2] {
+    let robot = Robot::named(name).unwrap();
+    let loops = [loop_of_90_metres(false), loop_of_90_metres(true)];
+    let trip = |seed: u64| {
+        let (world, route) = &loops[(seed % 2) as usize];
+        let trip = drive(world, &robot, route, seed).unwrap();
+        assert_eq!(trip.steps, route.len());
+        trip
+    };
+    let trips: Vec<Trip> = seeds.map(trip).collect();
+    let heading = median(trips.iter().map(|t| t.heading_error.abs().to_degrees()).collect());
+    [heading, trips.iter().map(|t| t.position_error).sum::<f64>() / trips.len() as f64]
+}
+
+#[test]
+fn raw_odometry_of_the_good_robot_is_off_by_10_degrees_after_90_metres() {
+    let [heading, position] = drift("good", 1001..1201);
+    println!("good: median heading error {heading:.1}°, mean position error {position:.2} m");
+    assert!((8.0..12.0).contains(&heading), "{heading}");
+}
+
+#[test]
+fn raw_odometry_of_the_bad_robot_is_off_by_90_degrees_after_90_metres() {
+    let [heading, position] = drift("bad", 1001..1201);
+    println!("bad: median heading error {heading:.1}°, mean position error {position:.2} m");
+    assert!((72.0..108.0).contains(&heading), "{heading}");
+}
+
+#[test]
+fn raw_odometry_of_the_perfect_robot_is_the_truth() {
+    let [heading, position] = drift("perfect", 0..2);
+    assert!(heading < 1e-6 && position < 1e-6, "{heading} {position}");
+}

@@ -1,0 +1,106 @@
+use cogmap_geometry::Pose;
+use cogmap_mapping::perception::Scan;
+use rand_pcg::Pcg64Mcg;
+
+use crate::{Fan, Hit, LaserParams, RayGrid, chance};
+
+/// The least jump in range from one beam to the next that splits a beam's spot, metres.
+const DEPTH_EDGE: f64 = 0.15;
+/// How much wider than at normal incidence the noise can become.
+const NOISE_SPREAD: f64 = 4.0;
+
+/// A planar range finder with the errors of a real one (§3.1.4): noise that grows on slanted
+/// surfaces, a bias of its own, beams lost at grazing incidence, and ranges from between two
+/// surfaces where a beam's spot lies on the edge of the nearer one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Laser {
+    params: LaserParams,
+    /// Metres, the same for every beam of a run.
+    bias: f64,
+}
+
+impl Laser {
+    /// A laser whose bias is drawn for this run.
+    #[must_use]
+    pub fn new(params: &LaserParams, rng: &mut Pcg64Mcg) -> Self {
+        Self { params: params.clone(), bias: params.bias * chance::gaussian(rng) }
+    }
+
+    /// One sweep from where the robot stands, and for each beam the solid that it truly measured;
+    /// `None` where it saw nothing, or something between two solids.
+    #[must_use]
+    pub fn scan(
+        &self,
+        grid: &RayGrid,
+        world_from_robot: Pose,
+        rng: &mut Pcg64Mcg,
+    ) -> (Scan, Vec<Option<u32>>) {
+        let robot_from_laser = Pose::new(self.params.forward, 0.0, 0.0);
+        let mut scan = self.empty(robot_from_laser);
+        let fan = self.fan(world_from_robot * robot_from_laser, &scan);
+        let mut hits = Vec::new();
+        grid.cast(&fan, &mut hits);
+        let mixed = self.mixed_pixels(&hits, rng);
+        let mut solids = vec![None; self.params.beams];
+        let slots = scan.ranges.iter_mut().zip(&mut solids);
+        for ((hit, between), (range, solid)) in hits.into_iter().zip(mixed).zip(slots) {
+            let Some(hit) = hit else { continue };
+            if let Some(read) = self.measure(&hit, between.unwrap_or(hit.range), rng) {
+                *range = read;
+                *solid = between.is_none().then_some(hit.solid);
+            }
+        }
+        (scan, solids)
+    }
+
+    fn empty(&self, robot_from_laser: Pose) -> Scan {
+        let field = self.params.field_of_view_deg.to_radians();
+        Scan {
+            robot_from_laser,
+            angle_min: -field / 2.0,
+            angle_increment: field / self.params.beams.saturating_sub(1).max(1) as f64,
+            range_max: self.params.range_max,
+            ranges: vec![f64::INFINITY; self.params.beams],
+        }
+    }
+
+    fn fan(&self, world_from_laser: Pose, scan: &Scan) -> Fan {
+        Fan {
+            origin: world_from_laser.position,
+            heading: world_from_laser.heading + scan.angle_min,
+            spacing: scan.angle_increment,
+            beams: self.params.beams,
+            range_max: self.params.range_max,
+        }
+    }
+
+    /// For each beam whose spot lies on two surfaces the range in between, metres.
+    fn mixed_pixels(&self, hits: &[Option<Hit>], rng: &mut Pcg64Mcg) -> Vec<Option<f64>> {
+        let mut mixed = vec![None; hits.len()];
+        for (beam, pair) in hits.windows(2).enumerate() {
+            let [Some(first), Some(second)] = pair else { continue };
+            let jump = second.range - first.range;
+            if jump.abs() > DEPTH_EDGE && chance::uniform(rng) < self.params.mixed_pixels {
+                let on_second = usize::from(chance::uniform(rng) < 0.5);
+                mixed[beam + on_second] = Some(first.range + jump * chance::uniform(rng));
+            }
+        }
+        mixed
+    }
+
+    /// What the laser reports for a true range; `None` where too little light comes back.
+    fn measure(&self, hit: &Hit, range: f64, rng: &mut Pcg64Mcg) -> Option<f64> {
+        let slant = 1.0 - hit.incidence_cos;
+        let lost = self.params.grazing_dropout * slant * slant * slant * slant;
+        let survives = chance::uniform(rng) >= lost;
+        let spread = (1.0 / hit.incidence_cos.max(1.0 / NOISE_SPREAD)).min(NOISE_SPREAD);
+        let error = self.bias + self.params.noise * spread * chance::gaussian(rng);
+        let resolution = self.params.resolution;
+        let read = (range + error).max(0.0);
+        let read = if resolution > 0.0 { (read / resolution).round() * resolution } else { read };
+        (survives && read > 0.0 && read < self.params.range_max).then_some(read)
+    }
+}
+
+#[cfg(test)]
+mod tests;
