@@ -169,7 +169,6 @@ impl Drive {
     pub(super) fn solids(&self) -> &Solids {
         &self.stage.solids
     }
-
 }
 
 /// Independent random numbers for each of the things that chance decides.

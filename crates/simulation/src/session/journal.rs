@@ -96,9 +96,12 @@ impl MapperJournal {
     fn write(&mut self, report: StepReport, beam_solids: &[Option<u32>]) {
         self.events.extend(report.events().into_iter().map(|event| (report.step, event)));
         if !beam_solids.is_empty() {
-            let new = report.view.surfaces.iter().enumerate().filter(|(index, _)| {
-                !report.matches.iter().any(|m| m.seen == *index)
-            });
+            let new = report
+                .view
+                .surfaces
+                .iter()
+                .enumerate()
+                .filter(|(index, _)| !report.matches.iter().any(|m| m.seen == *index));
             let walls = new.map(|(_, surface)| wall_of(&beam_solids[surface.beams[0]..=surface.beams[1]]));
             self.true_walls.extend(walls.collect::<Vec<_>>());
         }

@@ -84,7 +84,8 @@ fn worsened(recording: Recording, factor: f64, seed: u64) -> Recording {
     for record in &mut odometry {
         let Some(k) = recorded.partition_point(|(t, _)| *t <= record.t).checked_sub(1) else { continue };
         let (t, pose) = recorded[k];
-        let share = recorded.get(k + 1).map_or(0.0, |(next, _)| (record.t - t) / (next - t));
+        let span = recorded.get(k + 1).map(|(next, _)| next - t).filter(|span| *span > 0.0);
+        let share = span.map_or(0.0, |span| ((record.t - t) / span).clamp(0.0, 1.0));
         let fault = faults.get(k).copied().unwrap_or(Fault::NONE);
         record.pose = readings[k].odom_from_robot * fault.spoil(pose.from_here(record.pose), share);
     }
