@@ -23,7 +23,7 @@ test('a saved session gives the same map again, on the page and on the command l
   const map = (await bench.save('Map')).bytes;
 
   await bench.drop({ name: session.name, content: session.bytes.toString() });
-  await page.getByLabel('Speed').selectOption('Full speed');
+  await page.getByLabel('Speed').selectOption('Max');
   await expect(page.getByRole('button', { name: 'Play' })).toBeDisabled();
   expect((await bench.save('Map')).bytes.equals(map)).toBe(true);
 

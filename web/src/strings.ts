@@ -86,7 +86,7 @@ export const strings = {
     moment: (seconds: number) => `${Math.floor(seconds / 60)}:${(seconds % 60).toFixed(1).padStart(4, '0')}`,
     speed: 'Speed',
     times: (factor: number) => `${factor}×`,
-    full: 'Full speed',
+    full: 'Max',
   },
 
   drive: {

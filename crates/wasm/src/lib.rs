@@ -1,1 +1,29 @@
-//! Under construction.
+//! Cogmap for the browser: one class, [`Laboratory`], over a session.
+//!
+//! The page holds a `Laboratory` in a worker, lets it [advance](Laboratory::advance) frame by frame,
+//! gives it [orders](Laboratory::order) and lets it [paint](Laboratory::paint) the two views on its
+//! canvases. It never learns how a map is made: what it shows in words comes as one plain object,
+//! [`Status`]. The TypeScript types of all objects are generated from the ones here; every error
+//! reaches the page as an `Error` whose message is meant for people.
+//!
+//! Nothing here reads a clock or throws dice, so a session saved on the page replays to the same
+//! bytes anywhere.
+
+mod canvas;
+mod failure;
+mod laboratory;
+mod look;
+mod opening;
+mod order;
+mod run;
+mod scenes;
+mod setup;
+mod status;
+mod views;
+
+pub use laboratory::Laboratory;
+pub use look::Look;
+pub use order::Order;
+pub use setup::{Choices, Opening, Setup};
+pub use status::{LastView, Offset, PlacementKind, ReferencePair, SourceKind, Status};
+pub use views::View;

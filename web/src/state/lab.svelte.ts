@@ -2,7 +2,7 @@ import { proxy, transfer, wrap, type Remote } from 'comlink';
 import { strings } from '../strings';
 import type { Bench } from '../worker/bench';
 import type { Choice, Notice, Offer, Pace, Saved, View } from '../worker/protocol';
-import type { Order, Status } from '../wasm/cogmap_wasm';
+import type { Look, Order, Status } from '../wasm/cogmap_wasm';
 import { save } from './save';
 
 /** Speeds to choose from. */
@@ -132,8 +132,8 @@ export class Lab {
     void this.bench.resize(view, width, height, density);
   }
 
-  setTheme(theme: 'light' | 'dark'): void {
-    void this.bench.setTheme(theme);
+  setLook(look: Look): void {
+    void this.bench.setLook(look);
   }
 
   savePicture = (): Promise<void> => this.keep(() => this.bench.picture());

@@ -1,3 +1,5 @@
+import type { Look } from '../wasm/cogmap_wasm';
+
 const KEY = 'cogmap-theme';
 
 /** Light or dark: as the system has it until somebody chooses. */
@@ -6,7 +8,7 @@ export class Theme {
   private chosen = $state(remembered());
   private systemDark = $state(this.system.matches);
 
-  readonly current = $derived<'light' | 'dark'>(this.chosen ?? (this.systemDark ? 'dark' : 'light'));
+  readonly current = $derived<Look>(this.chosen ?? (this.systemDark ? 'dark' : 'light'));
 
   constructor() {
     this.system.addEventListener('change', ({ matches }) => (this.systemDark = matches));
@@ -22,7 +24,7 @@ export class Theme {
   };
 }
 
-function remembered(): 'light' | 'dark' | undefined {
+function remembered(): Look | undefined {
   try {
     const kept = localStorage.getItem(KEY);
     return kept === 'light' || kept === 'dark' ? kept : undefined;

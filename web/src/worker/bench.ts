@@ -1,4 +1,4 @@
-import init, { Laboratory, type Order } from '../wasm/cogmap_wasm';
+import init, { Laboratory, type Look, type Order } from '../wasm/cogmap_wasm';
 import { Clock } from './clock';
 import { Easel } from './easel';
 import type { Brought, Choice, Notice, Offer, Pace, Saved, View } from './protocol';
@@ -117,8 +117,8 @@ export class Bench {
     this.paint();
   }
 
-  setTheme(theme: 'light' | 'dark'): void {
-    this.easel.theme = theme;
+  setLook(look: Look): void {
+    this.easel.look = look;
     this.paint();
   }
 

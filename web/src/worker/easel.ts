@@ -9,38 +9,42 @@ const PICTURE = { width: 900, height: 900, density: 2 };
 interface Sheet {
   canvas: OffscreenCanvas;
   context: OffscreenCanvasRenderingContext2D;
+}
+
+interface Size {
   width: number;
   height: number;
 }
 
 /** Holds the two canvases and paints on them. */
 export class Easel {
-  theme: Look = 'light';
+  look: Look = 'light';
   /** Whether the canvases show something older than the run. */
   stale = true;
   private readonly sheets = new Map<View, Sheet>();
+  private readonly sizes = new Map<View, Size>();
   private density = 1;
   private rested = 0;
 
   take(left: OffscreenCanvas, right: OffscreenCanvas): void {
-    this.sheets.set('left', sheet(left));
-    this.sheets.set('right', sheet(right));
+    this.sheets.set('left', sheet(left)).set('right', sheet(right));
+    for (const [view, { width, height }] of this.sizes) this.resize(view, width, height, this.density);
   }
 
-  size(view: View): { width: number; height: number } {
-    const { width, height } = this.sheets.get(view) ?? { width: 1, height: 1 };
-    return { width, height };
+  /** In pixels of the page. */
+  size(view: View): Size {
+    return this.sizes.get(view) ?? { width: 1, height: 1 };
   }
 
   /** `width` and `height` in pixels of the page, of which each has `density` pixels of the screen. */
   resize(view: View, width: number, height: number, density: number): void {
-    const resized = this.sheets.get(view);
-    if (!resized) return;
+    this.sizes.set(view, { width, height });
     this.density = density;
-    Object.assign(resized, { width, height });
-    resized.canvas.width = Math.max(1, Math.round(width * density));
-    resized.canvas.height = Math.max(1, Math.round(height * density));
     this.stale = true;
+    const canvas = this.sheets.get(view)?.canvas;
+    if (!canvas) return;
+    canvas.width = Math.max(1, Math.round(width * density));
+    canvas.height = Math.max(1, Math.round(height * density));
   }
 
   /** Paints what is stale unless painting has had its share; returns whether nothing is stale any more. */
@@ -52,7 +56,7 @@ export class Easel {
   paintNow(laboratory: Laboratory): void {
     const begun = performance.now();
     for (const [view, { context }] of this.sheets) {
-      laboratory.paint(view, context, this.theme, this.density);
+      laboratory.paint(view, context, this.look, this.density);
     }
     const spent = performance.now() - begun;
     this.rested = begun + spent / PAINTING_SHARE - spent;
@@ -63,7 +67,7 @@ export class Easel {
   async picture(laboratory: Laboratory): Promise<Blob> {
     const { width, height, density } = PICTURE;
     const canvas = new OffscreenCanvas(2 * width * density, height * density);
-    laboratory.picture(sheet(canvas).context, this.theme, width, height, density);
+    laboratory.picture(sheet(canvas).context, this.look, width, height, density);
     return canvas.convertToBlob({ type: 'image/png' });
   }
 }
@@ -71,5 +75,5 @@ export class Easel {
 function sheet(canvas: OffscreenCanvas): Sheet {
   const context = canvas.getContext('2d');
   if (!context) throw new Error('This browser cannot draw off the main thread.');
-  return { canvas, context, width: 1, height: 1 };
+  return { canvas, context };
 }

@@ -1,7 +1,6 @@
 import type { Choices, Status } from '../wasm/cogmap_wasm';
 
-/** The two views. */
-export type View = 'left' | 'right';
+export type { View } from '../wasm/cogmap_wasm';
 
 /** How fast time passes: a factor of real time, or as fast as the machine goes. */
 export type Pace = number | 'full';

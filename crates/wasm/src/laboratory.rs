@@ -1,0 +1,217 @@
+use cogmap_formats::{run::map, session};
+use cogmap_geometry::DVec2;
+use cogmap_scene::Sheet;
+use tsify::{Ts, Tsify};
+use wasm_bindgen::{JsError, prelude::wasm_bindgen};
+use web_sys::OffscreenCanvasRenderingContext2d;
+
+use crate::{
+    canvas::{Canvas, Place},
+    failure::Failure,
+    look::Look,
+    opening,
+    order::Order,
+    run::Run,
+    scenes::scene,
+    setup::{Choices, Opening, Setup},
+    status::Status,
+    views::{View, Views},
+};
+
+/// The laboratory as the page knows it: a run, and two views of it.
+#[wasm_bindgen]
+pub struct Laboratory {
+    run: Run,
+    views: Views,
+    left: Canvas,
+    right: Canvas,
+}
+
+#[wasm_bindgen]
+impl Laboratory {
+    /// What a run can be made of.
+    ///
+    /// # Errors
+    /// None that a page could cause.
+    pub fn choices() -> Result<Ts<Choices>, JsError> {
+        Ok(Choices::all().into_ts()?)
+    }
+
+    /// A run in a building, the robot about to be driven along the building's first route.
+    ///
+    /// # Errors
+    /// What is wrong with the set-up or with the world file, and where.
+    #[wasm_bindgen(constructor)]
+    pub fn new(setup: Ts<Setup>) -> Result<Self, JsError> {
+        console_error_panic_hook::set_once();
+        Ok(Self::of(opening::start(&setup.to_rust()?)?))
+    }
+
+    /// What somebody brought: a recorded log, a session or a world. A session that was made from a
+    /// log needs that log beside it.
+    ///
+    /// # Errors
+    /// What is wrong with the file, and where.
+    pub fn open(opening: Ts<Opening>, bytes: &[u8], other: Option<Vec<u8>>) -> Result<Self, JsError> {
+        console_error_panic_hook::set_once();
+        Ok(Self::of(opening::open(&opening.to_rust()?, bytes, other.as_deref())?))
+    }
+
+    /// One turn of the world: a tick of a drive, a reading of a log. `false` if nothing is left to happen.
+    pub fn advance(&mut self) -> bool {
+        self.run.advance()
+    }
+
+    /// Goes on until the memory has taken in another view, or nothing is left to happen.
+    pub fn advance_to_next_view(&mut self) {
+        self.run.advance_to_next_view();
+    }
+
+    /// Goes to any moment of the run, in ticks or readings.
+    pub fn jump(&mut self, position: f64) {
+        self.run.jump(position as u64);
+    }
+
+    /// Seconds since the beginning.
+    #[wasm_bindgen(getter)]
+    pub fn time(&self) -> f64 {
+        self.run.session().time()
+    }
+
+    /// Whether nothing will happen until an order comes.
+    #[wasm_bindgen(getter)]
+    pub fn idle(&self) -> bool {
+        self.run.idle()
+    }
+
+    /// What the run looks like at this moment.
+    ///
+    /// # Errors
+    /// None that a page could cause.
+    pub fn status(&self) -> Result<Ts<Status>, JsError> {
+        Ok(self.run.status().into_ts()?)
+    }
+
+    /// Tells the robot what to do.
+    ///
+    /// # Errors
+    /// What is no order.
+    pub fn order(&mut self, order: Ts<Order>) -> Result<(), JsError> {
+        self.run.order(order.to_rust()?);
+        Ok(())
+    }
+
+    /// Ends the playing of the route: the robot finishes its step and waits for orders.
+    pub fn take_over(&mut self) {
+        self.run.take_over();
+    }
+
+    /// Sends the robot straight to what the left view shows at a pixel; `false` if it cannot be sent there.
+    pub fn reach(&mut self, x: f64, y: f64) -> bool {
+        self.run.reach(self.views.to_metres(View::Left, DVec2::new(x, y)))
+    }
+
+    /// Tells how large a view is, in pixels of the page.
+    ///
+    /// # Errors
+    /// What is no view.
+    pub fn resize(&mut self, view: Ts<View>, width: f64, height: f64) -> Result<(), JsError> {
+        self.views.resize(view.to_rust()?, DVec2::new(width, height));
+        Ok(())
+    }
+
+    /// Moves what both views show by so many pixels.
+    pub fn drag(&mut self, x: f64, y: f64) {
+        self.views.drag(DVec2::new(x, y));
+    }
+
+    /// Zooms both views by a factor, about a pixel of one of them or about the middle.
+    ///
+    /// # Errors
+    /// What is no view.
+    pub fn zoom(
+        &mut self,
+        factor: f64,
+        view: Ts<View>,
+        x: Option<f64>,
+        y: Option<f64>,
+    ) -> Result<(), JsError> {
+        let pixel = x.zip(y).map(|(x, y)| DVec2::new(x, y));
+        self.views.zoom(factor, view.to_rust()?, pixel);
+        Ok(())
+    }
+
+    /// Shows everything again.
+    pub fn fit(&mut self) {
+        self.views.fit();
+    }
+
+    /// The session as a file: opening it gives this run again, to the last bit.
+    #[must_use]
+    pub fn save_session(&self) -> String {
+        session::write(self.run.session().record())
+    }
+
+    /// The map as a file.
+    #[must_use]
+    pub fn map_json(&self) -> String {
+        map(self.run.session(), 0)
+    }
+
+    /// Paints a view on its canvas, which has `density` pixels to one of the page.
+    ///
+    /// # Errors
+    /// What is no view or no look, and what the browser has against painting.
+    pub fn paint(
+        &mut self,
+        view: Ts<View>,
+        context: &OffscreenCanvasRenderingContext2d,
+        look: Ts<Look>,
+        density: f64,
+    ) -> Result<(), JsError> {
+        let (view, look) = (view.to_rust()?, look.to_rust()?);
+        let scene = scene(self.run.session(), view);
+        self.views.make_room(&scene);
+        let DVec2 { x: width, y: height } = self.views.size(view);
+        let legend = self.views.has_legend(view);
+        let camera = Some(self.views.camera());
+        let sheet = Sheet { width, height, theme: look.into(), camera, title: false, legend };
+        let place = Place { corner: DVec2::ZERO, density };
+        let canvas = match view {
+            View::Left => &mut self.left,
+            View::Right => &mut self.right,
+        };
+        Ok(canvas.paint(context, &scene, &sheet, place).map_err(Failure::from)?)
+    }
+
+    /// Paints both views side by side with titles and legends, each of that size in pixels of the page.
+    ///
+    /// # Errors
+    /// What is no look, and what the browser has against painting.
+    pub fn picture(
+        &self,
+        context: &OffscreenCanvasRenderingContext2d,
+        look: Ts<Look>,
+        width: f64,
+        height: f64,
+        density: f64,
+    ) -> Result<(), JsError> {
+        let sheet = Sheet::new(width, height, look.to_rust()?.into());
+        for (view, x) in [(View::Left, 0.0), (View::Right, width)] {
+            let place = Place { corner: DVec2::new(x, 0.0), density };
+            let scene = scene(self.run.session(), view);
+            Canvas::default().paint(context, &scene, &sheet, place).map_err(Failure::from)?;
+        }
+        Ok(())
+    }
+}
+
+impl Laboratory {
+    fn of(run: Run) -> Self {
+        let mut views = Views::new();
+        for view in [View::Left, View::Right] {
+            views.make_room(&scene(run.session(), view));
+        }
+        Self { run, views, left: Canvas::default(), right: Canvas::default() }
+    }
+}

@@ -1,0 +1,164 @@
+//! How runs begin: from the page's own worlds, and from files that somebody brought.
+
+use cogmap_formats::{carmen, gzip, session, sha256_hex, world};
+use cogmap_geometry::DVec2;
+use cogmap_mapping::MapperSetup;
+use cogmap_simulation::{Driver, Robot, Session, SessionRecord, Source, World};
+
+use crate::{
+    failure::Failure,
+    run::{Label, Run},
+    setup::{Opening, Setup},
+};
+
+/// A run in one of the page's worlds.
+pub(crate) fn start(setup: &Setup) -> Result<Run, Failure> {
+    let world = world::read(&setup.world, &setup.file)?;
+    let (robot, mapper) = (robot(&setup.robot)?, mapper(&setup.mapper)?);
+    drive(world, robot, mapper, setup.seed, label(&setup.file, false))
+}
+
+/// A run of what somebody brought, by its content. `other` may be the log that a session needs.
+pub(crate) fn open(opening: &Opening, bytes: &[u8], other: Option<&[u8]>) -> Result<Run, Failure> {
+    let plain = gzip::unpack(bytes, &opening.name)?;
+    match Kind::of(&plain) {
+        Kind::Log => map_log(opening, bytes),
+        Kind::World => {
+            let world = world::read(text(&plain, &opening.name)?, &opening.name)?;
+            let (robot, mapper) = (robot(&opening.robot)?, mapper(&opening.mapper)?);
+            drive(world, robot, mapper, opening.seed, label(&opening.name, true))
+        }
+        Kind::Session => reopen(text(&plain, &opening.name)?, &opening.name, other),
+    }
+}
+
+/// What a file is, told by its content.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    World,
+    Session,
+    /// Whatever is no JSON: the log's reader has the last word.
+    Log,
+}
+
+impl Kind {
+    fn of(plain: &[u8]) -> Self {
+        let written = String::from_utf8_lossy(plain);
+        let written = written.trim_start();
+        match written.starts_with(['{', '[']) {
+            false => Self::Log,
+            true if written.contains("cogmap-session/") => Self::Session,
+            true => Self::World,
+        }
+    }
+}
+
+/// A robot at the start of a world, about to be driven along the world's first route.
+fn drive(world: World, robot: Robot, mapper: MapperSetup, seed: u64, label: Label) -> Result<Run, Failure> {
+    let route: Option<Vec<_>> =
+        world.routes.values().next().map(|route| route.iter().copied().map(DVec2::from).collect());
+    // A route that cannot be driven is no reason to keep the world from whoever wants to drive in it.
+    let driver = route.and_then(|route| Driver::new(&world, &robot, &route).ok());
+    let label = Label { name: world.name.clone(), ..label };
+    let record = SessionRecord::new(Source::world(world, robot), vec![mapper], seed);
+    Ok(Run::new(Session::drive(record)?, label, driver))
+}
+
+/// A log with the chosen mapper, and the others beside it, because there is no truth to show.
+fn map_log(opening: &Opening, bytes: &[u8]) -> Result<Run, Failure> {
+    let chosen = mapper(&opening.mapper)?;
+    let rivals = MapperSetup::NAMES.iter().filter(|name| **name != opening.mapper);
+    let mappers = std::iter::once(chosen).chain(rivals.filter_map(|name| MapperSetup::named(name))).collect();
+    let source = Source::Log {
+        path: opening.name.clone(),
+        sha256: sha256_hex(bytes),
+        every: None,
+        odometry_noise: 0.0,
+    };
+    let record = SessionRecord::new(source, mappers, opening.seed);
+    replay(record, bytes, &opening.name)
+}
+
+fn replay(record: SessionRecord, bytes: &[u8], name: &str) -> Result<Run, Failure> {
+    let recording = carmen::read(bytes, name, false)?.recording.varied(&record);
+    Ok(Run::new(Session::replay(record, recording), label(name, true), None))
+}
+
+fn reopen(written: &str, name: &str, other: Option<&[u8]>) -> Result<Run, Failure> {
+    let record = session::read(written, name)?.record;
+    let Source::Log { path, sha256, .. } = &record.source else {
+        let label = Label { name: world_name(&record), ..label(name, true) };
+        return Ok(Run::new(Session::drive(record)?, label, None));
+    };
+    match other {
+        Some(log) if sha256_hex(log) == *sha256 => {
+            let path = path.clone();
+            replay(record, log, &path)
+        }
+        Some(_) => {
+            Err(Failure::new(&format!("{name}: made from another log than the one beside it; bring {path}")))
+        }
+        None => Err(Failure::new(&format!("{name}: made from the log {path}; bring both files at once"))),
+    }
+}
+
+fn world_name(record: &SessionRecord) -> String {
+    match &record.source {
+        Source::World { world, .. } => world.name.clone(),
+        Source::Log { path, .. } => path.clone(),
+    }
+}
+
+fn text<'a>(plain: &'a [u8], name: &str) -> Result<&'a str, Failure> {
+    std::str::from_utf8(plain)
+        .map_err(|error| Failure::new(&format!("{name}: byte {} is not UTF-8 text", error.valid_up_to() + 1)))
+}
+
+fn robot(name: &str) -> Result<Robot, Failure> {
+    Robot::named(name).ok_or_else(|| unknown("robot", name, &Robot::NAMES))
+}
+
+fn mapper(name: &str) -> Result<MapperSetup, Failure> {
+    MapperSetup::named(name).ok_or_else(|| unknown("mapper", name, &MapperSetup::NAMES))
+}
+
+fn unknown(what: &str, name: &str, known: &[&str]) -> Failure {
+    Failure::new(&format!("there is no {what} `{name}`, only {}", known.join(", ")))
+}
+
+/// What a file's run is called: the file without folder and extensions.
+fn label(file: &str, foreign: bool) -> Label {
+    let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
+    let stem = name.split('.').find(|part| !part.is_empty()).unwrap_or("run");
+    Label { name: name.to_owned(), stem: stem.to_owned(), foreign }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_known_by_its_content() {
+        for (content, kind) in [
+            (r#"{"format":"cogmap-world/1"}"#, Kind::World),
+            ("\n{\"format\": \"cogmap-session/1\", oops", Kind::Session),
+            (r#"[1, 2]"#, Kind::World),
+            ("# a comment\nFLASER 1 2 0 0 0 0 0 0 1 h 1\n", Kind::Log),
+            ("", Kind::Log),
+        ] {
+            assert_eq!(Kind::of(content.as_bytes()), kind, "{content}");
+        }
+    }
+
+    #[test]
+    fn saved_files_are_called_after_what_they_came_from() {
+        for (file, stem) in [
+            ("intel.log.gz", "intel"),
+            ("folder/office.world.json", "office"),
+            ("C:\\logs\\.hidden.log", "hidden"),
+            ("", "run"),
+        ] {
+            assert_eq!(label(file, true).stem, stem);
+        }
+    }
+}

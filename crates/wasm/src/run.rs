@@ -1,0 +1,196 @@
+use cogmap_geometry::{DVec2, Pose, normalize_angle};
+use cogmap_mapping::{Event, Placement, StepReport};
+use cogmap_simulation::{Command, Driver, MapperJournal, Session, Source, Stamped};
+
+use crate::{
+    order::{Order, step_to},
+    scenes::shared_from_map,
+    status::{LastView, Offset, PlacementKind, ReferencePair, SourceKind, Status},
+};
+
+/// A step that has not led to a view after so many ticks is not waited for any longer.
+const LONGEST_STEP: u64 = 5_000;
+
+/// What a run is called.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Label {
+    /// For people.
+    pub(crate) name: String,
+    /// For the files that are saved from it.
+    pub(crate) stem: String,
+    /// Whether it came from a file that somebody brought.
+    pub(crate) foreign: bool,
+}
+
+/// A session, and whoever drives it: the route's driver, the record, or a person.
+pub(crate) struct Run {
+    session: Session,
+    label: Label,
+    driver: Option<Driver>,
+    /// Whether the robot may go on beyond what is recorded.
+    live: bool,
+    /// Whether an order was given that no tick has seen yet.
+    told: bool,
+}
+
+impl Run {
+    /// A run that its driver takes along a route; without one the robot waits for orders.
+    pub(crate) fn new(session: Session, label: Label, driver: Option<Driver>) -> Self {
+        let live = driver.is_some();
+        Self { session, label, driver, live, told: false }
+    }
+
+    pub(crate) fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// One turn of the world: a tick or a reading. `false` if nothing is left to happen.
+    pub(crate) fn advance(&mut self) -> bool {
+        if self.waits() && !self.ask_driver() {
+            return false;
+        }
+        self.told = false;
+        self.session.advance()
+    }
+
+    /// Whether nothing will happen until an order comes.
+    pub(crate) fn idle(&self) -> bool {
+        self.waits() && self.driver.is_none()
+    }
+
+    /// Whether the record is at its end and the robot has nothing left to do.
+    fn waits(&self) -> bool {
+        let at_end = self.session.position() >= self.session.end();
+        at_end && !self.told && (!self.live || self.session.at_rest())
+    }
+
+    fn ask_driver(&mut self) -> bool {
+        let next = self.session.world_from_robot().and_then(|pose| self.driver.as_mut()?.next_command(pose));
+        match next {
+            Some(command) => self.session.command(command),
+            None => self.driver = None,
+        }
+        next.is_some()
+    }
+
+    /// Lets the run go on until the memory has taken in another view, or nothing is left to happen.
+    pub(crate) fn advance_to_next_view(&mut self) {
+        let views = self.views();
+        for _ in 0..LONGEST_STEP {
+            if !self.advance() || self.views() != views {
+                return;
+            }
+        }
+    }
+
+    pub(crate) fn jump(&mut self, position: u64) {
+        self.session.jump(position.min(self.session.end()));
+        self.told = false;
+    }
+
+    /// Ends the playing of the route: the robot finishes its step and waits.
+    pub(crate) fn take_over(&mut self) {
+        self.driver = None;
+    }
+
+    /// Tells the robot what to do; a log's robot cannot be told anything.
+    pub(crate) fn order(&mut self, order: Order) {
+        if let Source::World { robot, .. } = &self.session.record().source {
+            let command = order.command(&robot.body);
+            self.tell(command);
+        }
+    }
+
+    /// Sends the robot straight to a point of the world; `false` if it cannot be sent there.
+    pub(crate) fn reach(&mut self, point: DVec2) -> bool {
+        let step = self.session.world_from_robot().and_then(|pose| step_to(point, pose));
+        if let Some(step) = step {
+            self.tell(step);
+        }
+        step.is_some()
+    }
+
+    fn tell(&mut self, command: Command) {
+        self.driver = None;
+        self.live = true;
+        self.told = true;
+        self.session.command(command);
+    }
+
+    fn views(&self) -> usize {
+        self.session.journal().mappers.first().map_or(0, |mapper| mapper.reports.len())
+    }
+
+    pub(crate) fn status(&self) -> Status {
+        let session = &self.session;
+        let journal = session.journal();
+        let truth_known = session.world_from_robot().is_some();
+        let names: Vec<_> = session.record().mappers.iter().map(|mapper| mapper.name().to_owned()).collect();
+        let last = journal.mappers.first().and_then(|mapper| mapper.reports.last());
+        Status {
+            source: if truth_known { SourceKind::World } else { SourceKind::Log },
+            foreign: self.label.foreign,
+            name: self.label.name.clone(),
+            stem: self.label.stem.clone(),
+            mapper: names.first().cloned().unwrap_or_default(),
+            rival: if truth_known { None } else { names.get(1).cloned() },
+            position: session.position(),
+            end: session.end(),
+            time: session.time(),
+            idle: self.idle(),
+            on_route: self.driver.is_some(),
+            surfaces: session.mappers().first().map_or(0, |mapper| mapper.mfis().surfaces().len()),
+            views: self.views(),
+            collisions: journal.mappers.first().map_or(0, collisions),
+            travelled: length_of(if truth_known { &journal.truth } else { &journal.odometry }),
+            off: self.offset(),
+            last: last.map(last_view),
+        }
+    }
+
+    /// How far the robot is from where it believes it is, the two frames meeting at the first view.
+    fn offset(&self) -> Option<Offset> {
+        let world_from_robot = self.session.world_from_robot()?;
+        let map_from_robot =
+            self.session.mappers().first()?.map_from_robot(self.session.odom_from_robot())?;
+        let believed = shared_from_map(&self.session)? * map_from_robot;
+        Some(offset_between(world_from_robot, believed))
+    }
+}
+
+fn collisions(journal: &MapperJournal) -> usize {
+    journal.events.iter().filter(|(_, event)| matches!(event, Event::Collision { .. })).count()
+}
+
+fn offset_between(truth: Pose, believed: Pose) -> Offset {
+    Offset {
+        distance: truth.position.distance(believed.position),
+        heading_deg: normalize_angle(truth.heading - believed.heading).abs().to_degrees(),
+    }
+}
+
+fn length_of(path: &[Stamped]) -> f64 {
+    path.windows(2)
+        .map(|pair| match pair {
+            [from, to] => from.pose.position.distance(to.pose.position),
+            _ => 0.0,
+        })
+        .sum()
+}
+
+fn last_view(report: &StepReport) -> LastView {
+    let reference = report.references.first();
+    LastView {
+        step: report.step,
+        seen: report.view.surfaces.len(),
+        recognised: report.matches.len(),
+        placed: report.placed.len(),
+        placement: match report.placement {
+            Placement::First => PlacementKind::First,
+            Placement::Reference => PlacementKind::Reference,
+            Placement::WeakReference => PlacementKind::WeakReference,
+            Placement::Odometry => PlacementKind::Odometry,
+        },
+        reference: reference.map(|pair| ReferencePair { seen: pair.seen, known: pair.known.0 }),
+    }
+}

@@ -1,0 +1,100 @@
+use serde::Serialize;
+use tsify::Tsify;
+
+/// What a run looks like at this moment.
+#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
+pub struct Status {
+    /// Where the readings come from.
+    pub source: SourceKind,
+    /// Whether it came from a file that somebody brought.
+    pub foreign: bool,
+    /// The name of the world or of the log.
+    pub name: String,
+    /// What files saved from this run are called, without extension.
+    pub stem: String,
+    /// The mapper whose memory is shown.
+    pub mapper: String,
+    /// The mapper that is shown beside it, where there is no truth to show.
+    pub rival: Option<String>,
+    /// Ticks or readings so far.
+    pub position: u64,
+    /// The furthest position known.
+    pub end: u64,
+    /// Seconds since the beginning.
+    pub time: f64,
+    /// Whether nothing will happen until an order comes.
+    pub idle: bool,
+    /// Whether a route is being played.
+    pub on_route: bool,
+    /// How many surfaces the memory holds.
+    pub surfaces: usize,
+    /// How many views it was made from.
+    pub views: usize,
+    /// How often the robot drove into something.
+    pub collisions: usize,
+    /// Metres driven, as the odometry tells it.
+    pub travelled: f64,
+    /// How far off the robot is, where the truth is known.
+    pub off: Option<Offset>,
+    /// What the mapper made of the latest view.
+    pub last: Option<LastView>,
+}
+
+/// What a run's readings come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Tsify)]
+#[serde(rename_all = "snake_case")]
+pub enum SourceKind {
+    /// A robot driven through a building.
+    World,
+    /// A recorded log.
+    Log,
+}
+
+/// The difference between where a robot is and where it believes it is.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Tsify)]
+pub struct Offset {
+    /// Metres.
+    pub distance: f64,
+    /// Degrees, never negative.
+    pub heading_deg: f64,
+}
+
+/// What a mapper made of one view.
+#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
+pub struct LastView {
+    /// Its number.
+    pub step: usize,
+    /// How many surfaces were seen.
+    pub seen: usize,
+    /// How many of them were recognised.
+    pub recognised: usize,
+    /// How many were new and are now in the map.
+    pub placed: usize,
+    /// What placed them.
+    pub placement: PlacementKind,
+    /// The reference pair: which surface of the view is which surface of the map.
+    pub reference: Option<ReferencePair>,
+}
+
+/// What a view was placed by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Tsify)]
+#[serde(rename_all = "snake_case")]
+pub enum PlacementKind {
+    /// The first view defines the map's frame.
+    First,
+    /// A reference target.
+    Reference,
+    /// A reference whose place along its own line was a guess.
+    WeakReference,
+    /// Odometry.
+    Odometry,
+}
+
+/// A surface that was seen and the one that it was recognised as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Tsify)]
+pub struct ReferencePair {
+    /// Its number in the view.
+    pub seen: usize,
+    /// Its number in the map.
+    pub known: u32,
+}

@@ -1,0 +1,179 @@
+use cogmap_geometry::DVec2;
+use cogmap_scene::{Bounds, Camera, Margins, Scene};
+use serde::Deserialize;
+use tsify::Tsify;
+
+/// Room to every side of what there is at first, metres.
+const ROOM: f64 = 0.4;
+/// Share of its size by which a view that has become too small grows.
+const GROWTH: f64 = 0.08;
+/// What is shown of a run that has seen nothing, metres to each side.
+const EMPTY: f64 = 5.0;
+/// Views at least this wide and high have room for their legend, pixels.
+const ROOM_FOR_LEGEND: DVec2 = DVec2::new(440.0, 380.0);
+/// Pixels kept free around everything, with the scale bar and the legend below.
+const AROUND_LEGEND: Margins = Margins { top: 20.0, bottom: 84.0, side: 20.0 };
+/// Pixels kept free around everything, with the scale bar alone below.
+const AROUND: Margins = Margins { top: 12.0, bottom: 44.0, side: 12.0 };
+
+/// The two views of the page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Tsify)]
+#[serde(rename_all = "snake_case")]
+pub enum View {
+    /// The truth, or another mapper's memory.
+    Left,
+    /// The memory.
+    Right,
+}
+
+/// The sizes of the two views and the one camera that both look through.
+#[derive(Clone, Debug)]
+pub(crate) struct Views {
+    left: DVec2,
+    right: DVec2,
+    /// What somebody chose to look at; `None` shows everything.
+    chosen: Option<Camera>,
+    /// What everything is taken to be.
+    framed: Option<Bounds>,
+}
+
+impl Views {
+    pub(crate) fn new() -> Self {
+        Self { left: DVec2::ONE, right: DVec2::ONE, chosen: None, framed: None }
+    }
+
+    /// The size of a view, pixels.
+    pub(crate) fn size(&self, view: View) -> DVec2 {
+        match view {
+            View::Left => self.left,
+            View::Right => self.right,
+        }
+    }
+
+    pub(crate) fn resize(&mut self, view: View, size: DVec2) {
+        let size = size.max(DVec2::ONE);
+        match view {
+            View::Left => self.left = size,
+            View::Right => self.right = size,
+        }
+    }
+
+    /// Whether a view has room for its legend.
+    pub(crate) fn has_legend(&self, view: View) -> bool {
+        self.size(view).cmpge(ROOM_FOR_LEGEND).all()
+    }
+
+    /// What both views show.
+    pub(crate) fn camera(&self) -> Camera {
+        self.chosen.unwrap_or_else(|| {
+            let empty = Bounds { min: DVec2::splat(-EMPTY), max: DVec2::splat(EMPTY) };
+            let size = self.left.min(self.right);
+            let margins = if self.has_legend(View::Left) { AROUND_LEGEND } else { AROUND };
+            Camera::fit(self.framed.unwrap_or(empty), size.x, size.y, margins)
+        })
+    }
+
+    /// Sees to it that everything has room; it grows in strides, so that the picture stands still
+    /// between them.
+    pub(crate) fn make_room(&mut self, scene: &Scene) {
+        let Some(bounds) = scene.bounds() else { return };
+        self.framed = Some(match self.framed {
+            None => Bounds { min: bounds.min - ROOM, max: bounds.max + ROOM },
+            Some(framed) if framed.union(bounds) == framed => framed,
+            Some(framed) => grown(framed.union(bounds)),
+        });
+    }
+
+    pub(crate) fn drag(&mut self, by: DVec2) {
+        if by.is_finite() {
+            self.chosen = Some(self.camera().dragged(by));
+        }
+    }
+
+    /// Zooms by a factor about a pixel of a view, or about its middle.
+    pub(crate) fn zoom(&mut self, factor: f64, view: View, pixel: Option<DVec2>) {
+        let held = pixel.map_or(self.camera().center, |pixel| self.to_metres(view, pixel));
+        if held.is_finite() && factor.is_finite() && factor > 0.0 {
+            self.chosen = Some(self.camera().zoomed(factor, held));
+        }
+    }
+
+    /// Shows everything again.
+    pub(crate) fn fit(&mut self) {
+        self.chosen = None;
+    }
+
+    /// The point of the plane at a pixel of a view.
+    pub(crate) fn to_metres(&self, view: View, pixel: DVec2) -> DVec2 {
+        let size = self.size(view);
+        self.camera().to_metres(pixel, size.x, size.y)
+    }
+}
+
+fn grown(bounds: Bounds) -> Bounds {
+    let by = (bounds.max - bounds.min) * GROWTH;
+    Bounds { min: bounds.min - by, max: bounds.max + by }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cogmap_scene::{Item, Role, Shape};
+
+    fn line_to(point: DVec2) -> Scene {
+        let item = Item::new(Role::Path, Shape::Polyline(vec![DVec2::ZERO, point]));
+        Scene { still: vec![item], ..Scene::default() }
+    }
+
+    fn views_of(scene: &Scene) -> Views {
+        let mut views = Views::new();
+        views.resize(View::Left, DVec2::new(640.0, 480.0));
+        views.resize(View::Right, DVec2::new(640.0, 480.0));
+        views.make_room(scene);
+        views
+    }
+
+    #[test]
+    fn everything_is_in_view_until_somebody_looks_elsewhere() {
+        let far = DVec2::new(30.0, 20.0);
+        let mut views = views_of(&line_to(DVec2::new(3.0, 2.0)));
+        views.make_room(&line_to(far));
+        let pixel = views.camera().to_pixels(far, 640.0, 480.0);
+        assert!((0.0..=640.0).contains(&pixel.x) && (0.0..=480.0).contains(&pixel.y));
+        views.drag(DVec2::new(10.0, 0.0));
+        let chosen = views.camera();
+        views.make_room(&line_to(far * 5.0));
+        assert_eq!(views.camera(), chosen);
+        views.fit();
+        assert_ne!(views.camera(), chosen);
+    }
+
+    #[test]
+    fn the_picture_stands_still_while_there_is_room() {
+        let mut views = views_of(&line_to(DVec2::new(3.0, 2.0)));
+        views.make_room(&line_to(DVec2::new(6.0, 4.0)));
+        let before = views.camera();
+        views.make_room(&line_to(DVec2::new(6.1, 4.1)));
+        assert_eq!(views.camera(), before);
+    }
+
+    #[test]
+    fn zooming_holds_the_point_under_the_finger() {
+        let mut views = views_of(&line_to(DVec2::new(3.0, 2.0)));
+        let pixel = DVec2::new(100.0, 70.0);
+        let held = views.to_metres(View::Right, pixel);
+        views.zoom(1.7, View::Right, Some(pixel));
+        assert!(views.to_metres(View::Right, pixel).distance(held) < 1e-9);
+    }
+
+    #[test]
+    fn nothing_that_a_page_sends_loses_the_picture() {
+        let mut views = views_of(&line_to(DVec2::new(3.0, 2.0)));
+        let before = views.camera();
+        views.drag(DVec2::NAN);
+        views.zoom(f64::NAN, View::Left, None);
+        views.zoom(-1.0, View::Left, None);
+        views.zoom(2.0, View::Left, Some(DVec2::splat(f64::INFINITY)));
+        assert_eq!(views.camera(), before);
+    }
+}

@@ -1,0 +1,178 @@
+//! The laboratory as the page uses it; the same tests run in Node and in a browser.
+#![cfg(target_arch = "wasm32")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "in a test, a panic is how a broken promise shows"
+)]
+
+use cogmap_wasm::Laboratory;
+use js_sys::{Error, JSON, Reflect};
+use sha2::{Digest, Sha256};
+use tsify::{Ts, Tsify};
+use wasm_bindgen::{JsCast, JsError, JsValue};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// A room with a route through it.
+const CELL: &str = r#"{
+    "format": "cogmap-world/1", "name": "Cell",
+    "walls": [[[0,0],[5,0],[5,4],[0,4],[0,0]]],
+    "start": {"position": [1,2]},
+    "routes": {"tour": [[2,2],[3.5,2.5]]}
+}"#;
+
+const SAME_SESSION: &str = include_str!("../../../tests/goldens/same-bytes.session.json");
+const SAME_BYTES: &str = include_str!("../../../tests/goldens/same-bytes.txt");
+
+fn ts<T: Tsify>(json: &str) -> Ts<T> {
+    Ts::new_unchecked(JSON::parse(json).unwrap())
+}
+
+fn begin(world: &str, robot: &str) -> Result<Laboratory, JsError> {
+    let setup = format!(r#"{{"file":"cell.world.json","robot":"{robot}","mapper":"perceptual","seed":1}}"#);
+    let setup = JSON::parse(&setup).unwrap();
+    Reflect::set(&setup, &"world".into(), &world.into()).unwrap();
+    Laboratory::new(Ts::new_unchecked(setup))
+}
+
+fn open(name: &str, bytes: &[u8], other: Option<Vec<u8>>) -> Result<Laboratory, JsError> {
+    let opening = format!(r#"{{"name":"{name}","robot":"bad","mapper":"perceptual","seed":1}}"#);
+    Laboratory::open(ts(&opening), bytes, other)
+}
+
+/// What the status says under a key.
+fn told(laboratory: &Laboratory, key: &str) -> JsValue {
+    let status: JsValue = laboratory.status().ok().unwrap().into();
+    Reflect::get(&status, &key.into()).unwrap()
+}
+
+fn number(laboratory: &Laboratory, key: &str) -> f64 {
+    told(laboratory, key).as_f64().unwrap()
+}
+
+fn message<T>(result: Result<T, JsError>) -> String {
+    let Err(error) = result else { panic!("an error was to be expected") };
+    String::from(JsValue::from(error).unchecked_into::<Error>().message())
+}
+
+fn until_idle(laboratory: &mut Laboratory) {
+    for _ in 0..100_000 {
+        if !laboratory.advance() {
+            return;
+        }
+    }
+    panic!("the run never ends");
+}
+
+/// A log of a robot that drives straight ahead between two walls.
+fn log(scans: usize) -> String {
+    let scan = |number: usize| {
+        let x = number as f64 * 0.2;
+        let ranges: Vec<_> = (0..180).map(|beam| {
+            let bearing = (f64::from(beam) - 89.5).to_radians();
+            let (sin, cos) = cogmap_geometry::trig::sin_cos(bearing);
+            format!("{:.3}", (2.0 / sin.abs()).min((9.0 - x) / cos))
+        });
+        let ranges: Vec<_> = ranges.collect();
+        format!("FLASER 180 {} {x} 0 0 {x} 0 0 {number} robot {number}\n", ranges.join(" "))
+    };
+    (0..scans).map(scan).collect()
+}
+
+#[wasm_bindgen_test]
+fn a_run_follows_its_route_and_then_waits() {
+    let mut laboratory = begin(CELL, "bad").ok().unwrap();
+    assert!(!laboratory.idle());
+    until_idle(&mut laboratory);
+    assert!(laboratory.idle());
+    assert!(number(&laboratory, "surfaces") >= 3.0);
+    assert!(number(&laboratory, "travelled") > 2.0);
+    assert_eq!(told(&laboratory, "source"), JsValue::from("world"));
+}
+
+#[wasm_bindgen_test]
+fn an_order_ends_the_route_and_is_obeyed() {
+    let mut laboratory = begin(CELL, "perfect").ok().unwrap();
+    laboratory.order(ts(r#"{"kind":"nudge","ahead":0,"left":1}"#)).ok().unwrap();
+    assert_eq!(told(&laboratory, "on_route"), JsValue::FALSE);
+    until_idle(&mut laboratory);
+    let way = number(&laboratory, "travelled");
+    assert!(way < 0.1, "turning is not travelling: {way}");
+    assert!(number(&laboratory, "time") > 0.0);
+    assert!(message(laboratory.order(ts(r#"{"kind":"fly"}"#))).contains("fly"));
+}
+
+#[wasm_bindgen_test]
+fn going_back_and_on_again_changes_nothing() {
+    let mut laboratory = begin(CELL, "bad").ok().unwrap();
+    until_idle(&mut laboratory);
+    let (end, map) = (number(&laboratory, "end"), laboratory.map_json());
+    laboratory.jump(end / 2.0);
+    assert_ne!(laboratory.map_json(), map);
+    laboratory.jump(end);
+    assert_eq!(laboratory.map_json(), map);
+}
+
+#[wasm_bindgen_test]
+fn a_saved_session_opens_to_the_same_map() {
+    let mut laboratory = begin(CELL, "bad").ok().unwrap();
+    until_idle(&mut laboratory);
+    let mut opened = open("cell.session.json", laboratory.save_session().as_bytes(), None).ok().unwrap();
+    until_idle(&mut opened);
+    assert_eq!(opened.map_json(), laboratory.map_json());
+    assert_eq!(opened.save_session(), laboratory.save_session());
+}
+
+#[wasm_bindgen_test]
+fn a_log_is_mapped_by_every_mapper() {
+    let log = log(30);
+    let mut laboratory = open("ahead.log", log.as_bytes(), None).ok().unwrap();
+    assert_eq!(told(&laboratory, "source"), JsValue::from("log"));
+    assert!(told(&laboratory, "rival").is_string());
+    assert_eq!(number(&laboratory, "end"), 30.0);
+    until_idle(&mut laboratory);
+    assert!(number(&laboratory, "surfaces") >= 2.0);
+    let session = laboratory.save_session();
+    assert!(message(open("s.json", session.as_bytes(), None)).contains("ahead.log"));
+    assert!(open("s.json", session.as_bytes(), Some(log.into_bytes())).is_ok());
+}
+
+#[wasm_bindgen_test]
+fn what_cannot_be_opened_gets_an_answer() {
+    for (name, content, answer) in [
+        ("cut.json", r#"{"format":"cogmap-session/1","#, "cut.json"),
+        ("hut.json", r#"{"format":"cogmap-world/1","name":"Hut"}"#, "start"),
+        ("empty.log", "# nothing\n", "empty.log"),
+        ("nothing", "", "nothing"),
+    ] {
+        let told = message(open(name, content.as_bytes(), None));
+        assert!(told.contains(answer), "{name}: {told}");
+    }
+    assert!(message(begin(CELL, "lazy")).contains("perfect"));
+    assert!(message(begin("[]", "bad")).contains("cell.world.json"));
+}
+
+#[wasm_bindgen_test]
+fn a_page_can_look_anywhere() {
+    let mut laboratory = begin(CELL, "bad").ok().unwrap();
+    laboratory.resize(ts(r#""left""#), 640.0, 480.0).ok().unwrap();
+    laboratory.resize(ts(r#""right""#), f64::NAN, -3.0).ok().unwrap();
+    laboratory.drag(f64::INFINITY, 3.0);
+    laboratory.zoom(0.0, ts(r#""left""#), None, None).ok().unwrap();
+    laboratory.zoom(1e300, ts(r#""right""#), Some(1.0), Some(f64::NAN)).ok().unwrap();
+    laboratory.fit();
+    assert!(laboratory.reach(320.0, 100.0));
+    assert!(!laboratory.reach(f64::NAN, 100.0));
+    laboratory.jump(-1.0);
+    laboratory.jump(f64::INFINITY);
+}
+
+#[wasm_bindgen_test]
+fn one_session_gives_the_same_bytes_everywhere() {
+    let mut laboratory = open("same-bytes.session.json", SAME_SESSION.as_bytes(), None).ok().unwrap();
+    laboratory.jump(f64::INFINITY);
+    let digest = Sha256::digest(laboratory.map_json().as_bytes());
+    let digest: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+    assert_eq!(digest, SAME_BYTES.trim());
+}
