@@ -15,8 +15,10 @@ const NOTHING: u64 = u64::MAX;
 /// as a nearness, the inverse of the depth x: along a straight wall nearness is
 /// linear in the slope, so that a wall costs a beam one multiplication.
 pub(super) struct Beams {
+    /// Depth over range: the cosine of the angle between beam and axis.
+    depths: Vec<f64>,
     slopes: Vec<f64>,
-    /// Range over depth: 1/cos of the angle between beam and axis.
+    /// Range over depth.
     secants: Vec<f64>,
     nearness: Vec<f64>,
     solids: Vec<u64>,
@@ -29,14 +31,17 @@ impl Beams {
     pub(super) fn new(fan: &Fan, frame: Frame, [x, y]: [&[f64]; 2]) -> Self {
         let [backwards, rightwards] = frame.mirrored().map(|mirrored| if mirrored { -1.0 } else { 1.0 });
         let (depths, lefts) = if frame.axis() == 0 { (x, y) } else { (y, x) };
-        let secants: Vec<_> = depths.iter().map(|depth| backwards / depth).collect();
+        let depths: Vec<_> = depths.iter().map(|depth| backwards * depth).collect();
+        let secants: Vec<_> = depths.iter().map(|depth| 1.0 / depth).collect();
         let slopes: Vec<_> =
             lefts.iter().zip(&secants).map(|(left, secant)| rightwards * left * secant).collect();
+        let range_end = 1.0 / fan.range_max;
         Self {
-            nearness: secants.iter().map(|secant| secant / fan.range_max).collect(),
+            nearness: secants.iter().map(|secant| secant * range_end).collect(),
             solids: vec![NOTHING; slopes.len()],
             first_angle: slopes.first().map_or(0.0, |slope| rough_atan(*slope)),
             per_radian: 1.0 / fan.spacing.max(f64::MIN_POSITIVE),
+            depths,
             secants,
             slopes,
         }
@@ -109,15 +114,14 @@ impl Beams {
 
     /// Beam by beam what it met; `None` where nothing.
     pub(super) fn met(&self) -> impl Iterator<Item = Option<Met>> {
-        (0..self.slopes.len()).map(|k| {
-            let (slope, secant, solid) = (self.slopes[k], self.secants[k], self.solids[k]);
-            let range = secant / self.nearness[k];
-            (solid != NOTHING).then(|| Met {
-                range,
-                solid: solid as u32,
-                direction: DVec2::new(1.0, slope) / secant,
-            })
-        })
+        let beams = self.depths.iter().zip(&self.slopes).zip(&self.secants);
+        beams.zip(self.nearness.iter().zip(&self.solids)).map(
+            |(((depth, slope), secant), (nearness, solid))| {
+                let range = secant / nearness;
+                let direction = DVec2::new(*depth, depth * slope);
+                (*solid != NOTHING).then_some(Met { range, solid: *solid as u32, direction })
+            },
+        )
     }
 }
 

@@ -42,22 +42,21 @@ impl Fan {
     /// Unit vectors along the beams, x and y apart: from the first beam by
     /// doubling, so that two calls of sine and cosine do for all.
     pub(super) fn directions(&self) -> [Vec<f64>; 2] {
+        let (mut x, mut y) = (vec![0.0; self.beams], vec![0.0; self.beams]);
         let (sin, cos) = trig::sin_cos(self.heading);
-        let mut x = Vec::with_capacity(self.beams);
-        let mut y = Vec::with_capacity(self.beams);
-        x.push(cos);
-        y.push(sin);
-        let (mut turn_sin, mut turn_cos) = trig::sin_cos(self.spacing);
-        while x.len() < self.beams {
-            let more = x.len().min(self.beams - x.len());
-            for k in 0..more {
-                let (from_x, from_y) = (x[k], y[k]);
-                x.push(from_x * turn_cos - from_y * turn_sin);
-                y.push(from_x * turn_sin + from_y * turn_cos);
+        x.iter_mut().take(1).for_each(|x| *x = cos);
+        y.iter_mut().take(1).for_each(|y| *y = sin);
+        let (mut sin, mut cos) = trig::sin_cos(self.spacing);
+        let mut known = 1;
+        while known < self.beams {
+            let ((from_x, to_x), (from_y, to_y)) = (x.split_at_mut(known), y.split_at_mut(known));
+            let from = from_x.iter().zip(from_y.iter());
+            for ((from_x, from_y), (to_x, to_y)) in from.zip(to_x.iter_mut().zip(to_y)) {
+                *to_x = from_x * cos - from_y * sin;
+                *to_y = from_x * sin + from_y * cos;
             }
-            let twice_sin = 2.0 * turn_sin * turn_cos;
-            turn_cos = turn_cos * turn_cos - turn_sin * turn_sin;
-            turn_sin = twice_sin;
+            known *= 2;
+            (sin, cos) = (2.0 * sin * cos, cos * cos - sin * sin);
         }
         [x, y]
     }

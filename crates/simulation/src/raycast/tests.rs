@@ -165,6 +165,16 @@ proptest! {
     }
 
     #[test]
+    fn a_cast_among_many_short_walls_is_as_exact(
+        walls in vec((point(), -2.0..2.0f64, -2.0..2.0f64), 200..300),
+        fan in fan(),
+    ) {
+        let wall = |&(a, x, y): &(DVec2, f64, f64)| Segment::new(a, a + DVec2::new(x, y));
+        let walls: Vec<_> = walls.iter().map(wall).collect();
+        check(&Fan { beams: 90, ..fan }, (&walls, &[]), (&[], &[]))?;
+    }
+
+    #[test]
     fn a_sensor_on_a_wall_meets_it_at_once(
         segments in vec(segment(), 1..20),
         share in select(vec![0.0, 0.25, 0.5, 1.0]),
