@@ -75,7 +75,7 @@ pub(crate) struct RunArguments {
     #[arg(long, value_name = "NAME|FILE|random")]
     pub(crate) route: Option<PathBuf>,
     /// Everything random comes from it
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value = "1", value_parser = seed, allow_negative_numbers = true)]
     pub(crate) seed: u64,
     #[command(flatten)]
     pub(crate) mappers: MapperArguments,
@@ -90,13 +90,13 @@ pub(crate) struct ReplayArguments {
     #[arg(value_name = "LOG|SESSION")]
     pub(crate) input: PathBuf,
     /// Keep one scan each M metres or M radians, whichever comes first [default: every scan]
-    #[arg(long, value_name = "M", value_parser = above_zero)]
+    #[arg(long, value_name = "M", value_parser = above_zero, allow_negative_numbers = true)]
     pub(crate) every: Option<f64>,
     /// Make the log's odometry worse by this factor; 1 is mild, 10 is a very bad robot
     #[arg(long, value_name = "K", value_parser = zero_or_above, allow_negative_numbers = true)]
     pub(crate) odometry_noise: Option<f64>,
     /// The added noise comes from it [default: 1]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = seed, allow_negative_numbers = true)]
     pub(crate) seed: Option<u64>,
     /// Stop at the first broken line instead of counting and skipping it
     #[arg(long)]
@@ -119,6 +119,7 @@ pub(crate) struct CheckArguments {
 #[derive(Debug, Args)]
 pub(crate) struct MapperArguments {
     /// Mapper to feed with the readings; give it again for more mappers on the same run
+    /// [default: perceptual, or those of the session]
     #[arg(long = "mapper", value_name = "NAME",
         value_parser = PossibleValuesParser::new(MapperSetup::NAMES))]
     pub(crate) names: Vec<String>,
@@ -137,6 +138,10 @@ pub(crate) struct OutputArguments {
     /// In the .tum files a row for every odometry record, not only for every scan
     #[arg(long, requires = "out")]
     pub(crate) dense: bool,
+}
+
+fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("not a number from 0 to {}", u64::MAX))
 }
 
 fn above_zero(text: &str) -> Result<f64, String> {

@@ -59,12 +59,12 @@ fn of_world(world: &World) -> String {
         .iter()
         .map(|(name, route)| format!("{name} ({})", counted(route.len(), "point", "points")))
         .collect();
-    let routes = if routes.is_empty() { "none".to_owned() } else { routes.join(", ") };
-    format!(
-        "a world, \"{}\"\n  {walls:.1} m of wall, {}\n  routes: {routes}, each of them can be driven",
-        world.name,
-        furniture.join(", ")
-    )
+    let routes = match routes.len() {
+        0 => "no routes".to_owned(),
+        1 => format!("route: {}; it can be driven", routes.join("")),
+        _ => format!("routes: {}; all can be driven", routes.join(", ")),
+    };
+    format!("a world, \"{}\"\n  {walls:.1} m of wall, {}\n  {routes}", world.name, furniture.join(", "))
 }
 
 fn of_log(input: &Input) -> Result<String, Failure> {
@@ -109,7 +109,7 @@ fn of_session(input: &Input, path: &Path) -> Result<String, Failure> {
             *ticks as f64 * TICK
         ),
         Source::Log { .. } => {
-            format!("the log {}, which is the same as then", log::find(&file.record, path)?.name)
+            format!("the log {}, unchanged since then", log::find(&file.record, path)?.name)
         }
     };
     let names: Vec<&str> = mappers.iter().map(cogmap_mapping::MapperSetup::name).collect();

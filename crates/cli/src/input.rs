@@ -83,11 +83,10 @@ fn kind_of(plain: &[u8]) -> Kind {
             return Kind::Other(name);
         }
     }
-    match std::str::from_utf8(plain) {
-        Ok(text) => kind_of_text(text.trim_start()),
-        Err(_) if plain.contains(&0) => Kind::Other("a binary file"),
-        Err(_) => Kind::Log,
+    if plain.contains(&0) {
+        return Kind::Other("a binary file");
     }
+    kind_of_text(String::from_utf8_lossy(plain).trim_start())
 }
 
 fn kind_of_text(text: &str) -> Kind {

@@ -25,8 +25,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let robot = robot(&arguments.robot)?;
     let (route_name, route) = route(arguments, &world, &robot)?;
     let driver = Driver::new(&world, &robot, &route).map_err(|problem| {
-        let way_out = "move that point, or choose another route with --route";
-        Failure::input(format!("{}: {problem}", arguments.world.display())).help(way_out)
+        Failure::input(format!("{}, {route_name}: {problem}", arguments.world.display()))
     })?;
     let title = format!("Drove the {} robot through \"{}\" along {route_name}", robot.name, world.name);
     let record = SessionRecord::new(Source::world(world, robot), mappers, arguments.seed);
@@ -195,4 +194,25 @@ fn failure_of(session: &Session, route: &[DVec2]) -> Result<(), Failure> {
         return Err(Failure::run(message).help(way_out));
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::process::ExitCode;
+
+    use super::*;
+
+    #[test]
+    fn a_robot_that_does_not_arrive_has_failed() {
+        let world = r#"{"format": "cogmap-world/1", "name": "Cell", "start": {"position": [1, 2]},
+            "walls": [[[0,0],[5,0],[5,4],[0,4],[0,0]]]}"#;
+        let world = cogmap_formats::world::read(world, "cell.world.json").unwrap();
+        let source = Source::world(world, Robot::named("perfect").unwrap());
+        let record = SessionRecord::new(source, setups(&[]).unwrap(), 1);
+        let session = Session::drive(record).unwrap();
+        assert!(failure_of(&session, &[DVec2::new(1.1, 2.1)]).is_ok());
+        let failure = failure_of(&session, &[DVec2::new(4.0, 2.0)]).unwrap_err();
+        assert!(failure.to_string().contains("stuck at [1.00, 2.00], 3.0 m before the end"), "{failure}");
+        assert_eq!(failure.exit_code(), ExitCode::from(1));
+    }
 }

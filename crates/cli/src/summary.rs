@@ -1,7 +1,7 @@
 use std::path::Path;
 
 use cogmap_geometry::Pose;
-use cogmap_mapping::{Event, Placement};
+use cogmap_mapping::{Event, MapperSetup, Placement};
 use cogmap_simulation::{MapperJournal, Session, Source, Stamped};
 
 use crate::table::Table;
@@ -20,10 +20,11 @@ pub(crate) fn of_files(directory: &Path, files: &[(String, Vec<u8>)]) -> String 
     let place = directory.display();
     let pictures: Vec<&str> =
         files.iter().map(|(name, _)| name.as_str()).filter(|name| name.ends_with(".png")).collect();
+    let are = if pictures.len() == 1 { "picture is" } else { "pictures are" };
     format!(
-        "\n{} files in {place}/; the picture is {}\nAgain: cogmap replay {}\n",
+        "\n{} files in {place}/; the {are} {}\nAgain: cogmap replay {}\n",
         files.len() + 1,
-        pictures.join(", "),
+        pictures.join(" and "),
         directory.join("session.json").display()
     )
 }
@@ -33,7 +34,7 @@ fn figures(session: &Session, seconds: f64) -> String {
     let journal = session.journal();
     let scans = journal.odometry.len();
     let duration = journal.odometry.first().zip(journal.odometry.last()).map_or(0.0, |(a, b)| b.t - a.t);
-    let clock = format!("{scans} scans in {}, mapped in {seconds:.2} s", span(duration));
+    let clock = format!("{scans} scans in {}, done in {seconds:.2} s", span(duration));
     match &session.record().source {
         Source::World { commands, .. } => {
             let collisions = match collisions(&journal.mappers) {
@@ -77,12 +78,16 @@ fn cells(session: &Session, index: usize) -> Vec<String> {
         return Vec::new();
     };
     let placed = |by: Placement| written.reports.iter().filter(|report| report.placement == by).count();
+    let [weak, fallbacks] = match setup {
+        MapperSetup::Odometry(_) => ["–".to_owned(), "–".to_owned()],
+        _ => [Placement::WeakReference, Placement::Odometry].map(|by| placed(by).to_string()),
+    };
     let mut cells = vec![
         setup.name().to_owned(),
         written.reports.len().to_string(),
         mapper.mfis().surfaces().len().to_string(),
-        placed(Placement::WeakReference).to_string(),
-        placed(Placement::Odometry).to_string(),
+        weak,
+        fallbacks,
         format!("{:.1} m", length(&written.estimate)),
     ];
     if let Some((metres, radians)) = error_at_end(&journal.truth, &written.estimate) {
@@ -101,7 +106,7 @@ fn legend(session: &Session) -> String {
     );
     if session.world_from_robot().is_some() {
         legend +=
-            "  off by     distance and direction between where the robot is and where it believes to be\n";
+            "  off by     how far from where it believes to be the robot stands at the end, and how turned\n";
     }
     legend
 }

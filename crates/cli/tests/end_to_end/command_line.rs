@@ -101,6 +101,7 @@ fn the_trajectories_have_a_row_a_scan_and_more_when_dense() {
 #[test]
 fn the_seed_decides_and_nothing_else() {
     let bench = Workbench::new();
+    bench.put("room.world.json", ROOM.replace("[6,0],[6,4],[0,4]", "[14,0],[14,10],[0,10]"));
     for (seed, out) in [("1", "default"), ("2", "other")] {
         bench.cogmap(&format!("run room.world.json --route random --seed {seed} --out {out}")).done();
     }
@@ -220,7 +221,7 @@ fn check_goes_through_all_files_and_fails_if_one_is_bad() {
     bench.put("walled-in.world.json", ROOM.replace("[5,2.4]", "[50,2.4]"));
     let outcome = bench.cogmap("check bad.world.json walled-in.world.json none.log room.world.json");
     assert_eq!(outcome.code, Some(2));
-    for phrase in ["did you mean `walls`?", "`across`", "none.log"] {
+    for phrase in ["did you mean `walls`?", "`routes.across[1]`", "none.log"] {
         assert!(outcome.err.contains(phrase), "{phrase}: {outcome:#?}");
     }
     assert!(outcome.out.contains("room.world.json"), "{outcome:#?}");

@@ -1,4 +1,5 @@
 //! The built program, run as its users run it.
+#![cfg(test)]
 
 /// What every test needs: a place of its own, the program, a small world and a small log.
 mod workbench;

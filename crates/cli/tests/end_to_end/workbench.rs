@@ -31,7 +31,7 @@ impl Workbench {
     pub(crate) fn new() -> Self {
         let bench = Self { place: tempfile::tempdir().unwrap() };
         bench.put("room.world.json", ROOM);
-        bench.put("walk.log", &walk());
+        bench.put("walk.log", walk());
         bench
     }
 
