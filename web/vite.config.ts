@@ -1,21 +1,30 @@
 import { svelte } from '@sveltejs/vite-plugin-svelte';
-import { defineConfig } from 'vite';
+import { defineConfig, type Plugin } from 'vite';
 import { VitePWA } from 'vite-plugin-pwa';
 
 const description = 'A robot-mapping laboratory: drive a robot through a building and watch its memory grow.';
+
+/** The development server writes scripts and styles into the page, which the policy forbids. */
+const policyOnlyWhenBuilt: Plugin = {
+  name: 'policy-only-when-built',
+  apply: 'serve',
+  transformIndexHtml: (html) => html.replace(/<meta\s+http-equiv="Content-Security-Policy"[^>]*>/, ''),
+};
 
 export default defineConfig({
   // Relative addresses: the built page runs from any folder of any static server.
   base: './',
   plugins: [
     svelte(),
+    policyOnlyWhenBuilt,
     VitePWA({
-      registerType: 'autoUpdate',
       injectRegister: false,
       includeAssets: ['icon.svg'],
       workbox: {
         globPatterns: ['**/*.{html,js,css,wasm,svg,png,webmanifest}'],
         maximumFileSizeToCacheInBytes: 16 * 1024 * 1024,
+        clientsClaim: true,
+        skipWaiting: true,
         navigateFallback: 'index.html',
         cleanupOutdatedCaches: true,
       },

@@ -19,8 +19,8 @@ const silence = [
 ];
 
 export default defineConfig({
-  testDir: '.',
-  outputDir: 'test-results',
+  testDir: '../tests/browser',
+  outputDir: '../tests/browser/test-results',
   timeout: 60_000,
   expect: { timeout: 20_000 },
   forbidOnly: true,
@@ -38,7 +38,7 @@ export default defineConfig({
     ? {}
     : {
         webServer: {
-          command: `npm --prefix ../../web run preview -- --host 127.0.0.1 --port ${port} --strictPort`,
+          command: `npm run preview -- --host 127.0.0.1 --port ${port} --strictPort`,
           url: `http://127.0.0.1:${port}`,
         },
       }),
