@@ -104,7 +104,7 @@ impl Contest {
             let (along, to_a) = (segment.b - segment.a, segment.a - origin);
             let per_cross = 1.0 / direction.perp_dot(along);
             let (range, share) = (to_a.perp_dot(along) * per_cross, to_a.perp_dot(direction) * per_cross);
-            let meets = (0.0..=1.0).contains(&share) & (range >= 0.0) & (range < nearest);
+            let meets = ((share - 0.5).abs() <= 0.5) & (range >= 0.0) & (range < nearest);
             if meets { range } else { nearest }
         })
     }
