@@ -38,6 +38,7 @@ fn provide(project: &Project, command: &str, package: &str, version: &str) -> Re
 /// Compiles a tool from crates.io into the target directory. Its own release profile (link-time
 /// optimisation and all) would take twice as long and make no difference to minutes of work.
 fn install(project: &Project, package: &str, version: &str) -> Result<(), Failure> {
+    println!("   it is compiled from crates.io, which takes a minute or more");
     let build = project.tools().join("build");
     cargo("install --locked --quiet")
         .words(&format!("{package} --version {version}"))
