@@ -1,6 +1,7 @@
 // Times the wasm module given as the first argument. The others are rows of
-// size:method:scans:rounds; each gives a line `segments microseconds sum`, the
-// time being that of a scan in the best round.
+// size:method:batches:rounds:scans of a batch; each gives a line
+// `segments microseconds sum`, the time being that of a scan, from each batch's
+// best round.
 import { readFile } from "node:fs/promises";
 
 const [path, ...rows] = process.argv.slice(2);
@@ -10,17 +11,20 @@ const { prepare, run } = instance.exports;
 let built = -1;
 let segments = 0;
 for (const row of rows) {
-  const [size, method, scans, rounds] = row.split(":").map(Number);
+  const [size, method, batches, rounds, scans] = row.split(":").map(Number);
   if (size !== built) {
     segments = prepare(size);
     built = size;
   }
-  let best = Infinity;
-  let sum = 0;
+  const best = new Float64Array(batches).fill(Infinity);
+  const sums = new Float64Array(batches);
   for (let round = 0; round < rounds; round += 1) {
-    const start = performance.now();
-    sum = run(method, scans);
-    best = Math.min(best, performance.now() - start);
+    for (let batch = 0; batch < batches; batch += 1) {
+      const start = performance.now();
+      sums[batch] = run(method, batch * scans);
+      best[batch] = Math.min(best[batch], performance.now() - start);
+    }
   }
-  console.log(segments, (best * 1000) / scans, sum);
+  const total = (numbers) => numbers.reduce((sum, number) => sum + number, 0);
+  console.log(segments, (total(best) * 1000) / (batches * scans), total(sums));
 }

@@ -12,8 +12,10 @@ use crate::office::Office;
 pub const SIZES: [usize; 3] = [200, 2_000, 20_000];
 /// What is timed, in the order of [`Contest::run`]'s argument.
 pub const METHODS: [&str; 3] = ["ours", "parry", "brute"];
-/// Scans in a round, each from another pose.
+/// Scans to take, each from another pose.
 pub const POSES: usize = 256;
+/// Scans timed together: few enough that some round is not interrupted.
+pub const BATCH: usize = 16;
 /// Metres at which a beam ends.
 pub const RANGE_MAX: f64 = 30.0;
 
@@ -54,22 +56,23 @@ impl Contest {
         self.segments.len()
     }
 
-    /// Takes the first `scans` scans with a method; the sum of all ranges, metres.
-    pub fn run(&mut self, method: usize, scans: usize) -> f64 {
+    /// Takes the [`BATCH`] scans from `first` on with a method; the sum of all
+    /// ranges, metres.
+    pub fn run(&mut self, method: usize, first: usize) -> f64 {
         let mut ranges = Vec::new();
         let mut sum = 0.0;
-        for scan in 0..scans.min(self.fans.len()) {
+        for scan in first..(first + BATCH).min(self.fans.len()) {
             self.scan(method, scan, &mut ranges);
             sum += ranges.iter().sum::<f64>();
         }
         sum
     }
 
-    /// How many beams two methods see differently by over a millimetre in the
-    /// first `scans` scans.
-    pub fn differences(&mut self, methods: [usize; 2], scans: usize) -> usize {
+    /// How many beams of all scans two methods see differently by over a
+    /// millimetre.
+    pub fn differences(&mut self, methods: [usize; 2]) -> usize {
         let mut count = 0;
-        for scan in 0..scans.min(self.fans.len()) {
+        for scan in 0..self.fans.len() {
             let [first, second] = methods.map(|method| {
                 let mut ranges = Vec::new();
                 self.scan(method, scan, &mut ranges);

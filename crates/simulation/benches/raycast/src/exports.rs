@@ -18,9 +18,10 @@ pub extern "C" fn prepare(size: usize) -> usize {
     segments
 }
 
-/// Takes scans with a method in the office built last; the sum of all ranges.
+/// Takes a batch of scans, from the one numbered `first` on, in the office built
+/// last; the sum of all ranges.
 #[allow(unsafe_code, reason = "a name for Node to call; nothing else has it")]
 #[unsafe(no_mangle)]
-pub extern "C" fn run(method: usize, scans: usize) -> f64 {
-    CONTEST.with_borrow_mut(|contest| contest.as_mut().map_or(0.0, |contest| contest.run(method, scans)))
+pub extern "C" fn run(method: usize, first: usize) -> f64 {
+    CONTEST.with_borrow_mut(|contest| contest.as_mut().map_or(0.0, |contest| contest.run(method, first)))
 }

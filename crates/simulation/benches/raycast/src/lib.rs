@@ -8,4 +8,4 @@ mod contest;
 pub mod exports;
 mod office;
 
-pub use contest::{Contest, METHODS, POSES, RANGE_MAX, SIZES};
+pub use contest::{BATCH, Contest, METHODS, POSES, RANGE_MAX, SIZES};

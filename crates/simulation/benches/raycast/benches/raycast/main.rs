@@ -4,7 +4,7 @@ mod native;
 mod table;
 mod wasm;
 
-use cogmap_raycast_bench::{METHODS, POSES, SIZES};
+use cogmap_raycast_bench::{BATCH, METHODS, POSES, SIZES};
 
 /// A cell of the table still to be timed.
 #[derive(Clone, Copy)]
@@ -13,9 +13,10 @@ struct Trial {
     size: usize,
     /// Index into [`METHODS`].
     method: usize,
-    /// Scans in a round.
-    scans: usize,
-    /// Rounds, the best of which counts: what else the machine does only adds.
+    /// Batches of scans in a round.
+    batches: usize,
+    /// Rounds; each batch's best one counts, for what else the machine does only
+    /// adds.
     rounds: usize,
 }
 
@@ -23,9 +24,9 @@ struct Trial {
 struct Outcome {
     /// How many segments the office really has.
     segments: usize,
-    /// Microseconds for a scan in the best round.
+    /// Microseconds for a scan.
     micros: f64,
-    /// All ranges of a round added up, to compare platforms bit for bit.
+    /// All ranges added up, to compare platforms bit for bit.
     sum: f64,
 }
 
@@ -45,8 +46,8 @@ fn trials() -> Vec<Trial> {
     let sizes = 0..SIZES.len();
     let each = |size| {
         (0..METHODS.len()).map(move |method| {
-            let (scans, rounds) = [(POSES, 100), (POSES, 12), (POSES / 16, 4)][method];
-            Trial { size, method, scans, rounds }
+            let (batches, rounds) = [(POSES / BATCH, 200), (POSES / BATCH, 12), (1, 4)][method];
+            Trial { size, method, batches, rounds }
         })
     };
     sizes.flat_map(each).collect()

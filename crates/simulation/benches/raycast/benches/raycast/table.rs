@@ -4,7 +4,9 @@ use crate::{Outcome, Trial};
 
 /// Prints the table, the ratios and how ours grows with the office.
 pub(crate) fn print(trials: &[Trial], native: &[Outcome], wasm: &Result<Vec<Outcome>, String>) {
-    println!("\nA scan of 361 beams over 180°, {RANGE_MAX} m, µs: best round, mean of {POSES} poses in it");
+    println!(
+        "\nA scan of 361 beams over 180°, {RANGE_MAX} m, µs: mean of {POSES} poses, each batch's best round"
+    );
     println!("{:>9} │ {:>46} │ {:>46}", "", "native", "wasm, simd128, Node");
     let heading = format!("{:>8} {:>8} {:>9} {:>8} {:>9}", "ours", "parry", "brute", "parry÷", "brute÷");
     println!("{:>9} │ {heading} │ {heading}", "segments");

@@ -3,6 +3,8 @@ use std::{
     process::Command,
 };
 
+use cogmap_raycast_bench::BATCH;
+
 use crate::{Outcome, Trial};
 
 const TARGET: &str = "wasm32-unknown-unknown";
@@ -12,7 +14,7 @@ const FOLDER: &str = env!("CARGO_MANIFEST_DIR");
 /// otherwise what is missing and how to get it.
 pub(crate) fn run(trials: &[Trial]) -> Result<Vec<Outcome>, String> {
     let module = build()?;
-    let rows = trials.iter().map(|t| format!("{}:{}:{}:{}", t.size, t.method, t.scans, t.rounds));
+    let rows = trials.iter().map(|t| format!("{}:{}:{}:{}:{BATCH}", t.size, t.method, t.batches, t.rounds));
     let mut node = Command::new("node");
     node.arg(Path::new(FOLDER).join("node.mjs")).arg(module).args(rows);
     let output =
