@@ -1,5 +1,6 @@
 use std::path::Path;
 
+use cogmap_formats::run::labels;
 use cogmap_geometry::Pose;
 use cogmap_mapping::{Event, MapperSetup, Placement};
 use cogmap_simulation::{MapperJournal, Session, Source, Stamped};
@@ -9,8 +10,8 @@ use crate::table::Table;
 /// What came out of a run, for people who have never seen one.
 pub(crate) fn of(title: &str, session: &Session, seconds: f64) -> String {
     let mut table = Table::new(&heads(session));
-    for index in 0..session.mappers().len() {
-        table.row(cells(session, index));
+    for (index, label) in labels(session.record()).iter().enumerate() {
+        table.row(cells(session, index, label));
     }
     format!("{title}\n  {}\n\n{}\n{}", figures(session, seconds), table.render(), legend(session))
 }
@@ -70,7 +71,7 @@ fn heads(session: &Session) -> Vec<&'static str> {
     heads
 }
 
-fn cells(session: &Session, index: usize) -> Vec<String> {
+fn cells(session: &Session, index: usize, label: &str) -> Vec<String> {
     let (journal, record) = (session.journal(), session.record());
     let (Some(setup), Some(mapper), Some(written)) =
         (record.mappers.get(index), session.mappers().get(index), journal.mappers.get(index))
@@ -83,7 +84,7 @@ fn cells(session: &Session, index: usize) -> Vec<String> {
         _ => [Placement::WeakReference, Placement::Odometry].map(|by| placed(by).to_string()),
     };
     let mut cells = vec![
-        setup.name().to_owned(),
+        if label.is_empty() { setup.name() } else { label }.to_owned(),
         written.reports.len().to_string(),
         mapper.mfis().surfaces().len().to_string(),
         weak,
