@@ -24,11 +24,12 @@ pub fn random_route(world: &World, robot: &Robot, seed: u64) -> Result<Vec<DVec2
     let mut places = planner.reachable(start, LENGTHS[1]);
     places.retain(|&place| planner.room_at(place) >= robot.body.radius + AMPLE);
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
-    let away = |tour: &Tour| tour.points.last().is_some_and(|end| end.distance(start) >= AWAY);
-    let possible = places.iter().any(|place| place.distance(start) >= AWAY);
-    let tries =
-        (0..if possible { TRIES } else { 0 }).map(|_| Tour::through(&places, &mut planner, start, &mut rng));
-    let tour = tries.flatten().find(away);
+    let ends: Vec<DVec2> = places.iter().copied().filter(|place| place.distance(start) >= AWAY).collect();
+    let tour = (0..if ends.is_empty() { 0 } else { TRIES }).find_map(|_| {
+        planner.rest();
+        let tour = Tour::through(&places, &mut planner, start, &mut rng);
+        tour.extended(draw(&ends, &mut rng), &mut planner).filter(Tour::is_fitting)
+    });
     tour.map(|tour| tour.in_steps()).ok_or_else(|| {
         format!("found no way of 10 to 60 m that ends {AWAY} m from the start: choose a route of your own")
     })
@@ -47,19 +48,21 @@ struct Tour {
 
 impl Tour {
     /// Visits places drawn at random until it is as long as it was drawn to be.
-    fn through(places: &[DVec2], planner: &mut Planner, start: DVec2, rng: &mut Pcg64Mcg) -> Option<Self> {
-        let [least, most] = LENGTHS;
-        let wanted = least + (most - AWAY - least) * chance::uniform(rng);
+    fn through(places: &[DVec2], planner: &mut Planner, start: DVec2, rng: &mut Pcg64Mcg) -> Self {
+        let wanted = LENGTHS[1] * 0.8 * chance::uniform(rng);
         let mut tour = Self { length: 0.0, points: vec![start] };
         for _ in 0..TRIES {
-            planner.rest();
             let longer = tour.extended(draw(places, rng), planner);
-            tour = longer.filter(|tour| tour.length <= most).unwrap_or(tour);
+            tour = longer.filter(|tour| tour.length <= LENGTHS[1]).unwrap_or(tour);
             if tour.length >= wanted {
-                return Some(tour);
+                break;
             }
         }
-        (tour.length >= least).then_some(tour)
+        tour
+    }
+
+    fn is_fitting(&self) -> bool {
+        (LENGTHS[0]..=LENGTHS[1]).contains(&self.length)
     }
 
     fn extended(&self, to: Option<DVec2>, planner: &mut Planner) -> Option<Self> {

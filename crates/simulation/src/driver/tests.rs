@@ -111,3 +111,5 @@ fn raw_odometry_of_the_perfect_robot_is_the_truth() {
     let [heading, position] = drift("perfect", 0..2);
     assert!(heading < 1e-6 && position < 1e-6, "{heading} {position}");
 }
+
+mod worlds;
