@@ -71,7 +71,7 @@ pub(crate) struct RunArguments {
     #[arg(long, value_name = "perfect|good|bad|FILE", default_value = "bad")]
     pub(crate) robot: PathBuf,
     /// Way through the building: a route of the world, a FILE with a list of points
-    /// [[x,y],…] in metres, or random [default: the world's first route]
+    /// `[[x,y],…]` in metres, or random [default: the world's first route]
     #[arg(long, value_name = "NAME|FILE|random")]
     pub(crate) route: Option<PathBuf>,
     /// Everything random comes from it
