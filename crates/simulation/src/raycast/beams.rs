@@ -112,24 +112,31 @@ impl Beams {
         }
     }
 
-    /// Beam by beam what it met; `None` where nothing.
-    pub(super) fn met(&self) -> impl Iterator<Item = Option<Met>> {
-        let beams = self.depths.iter().zip(&self.slopes).zip(&self.secants);
-        beams.zip(self.nearness.iter().zip(&self.solids)).map(
-            |(((depth, slope), secant), (nearness, solid))| {
-                let range = secant / nearness;
-                let direction = DVec2::new(*depth, depth * slope);
-                (*solid != NOTHING).then_some(Met { range, solid: *solid as u32, direction })
-            },
-        )
+    /// Neighbouring beams that met the same solid, and which; `None` for nothing.
+    pub(super) fn runs(&self) -> impl Iterator<Item = (Range<usize>, Option<u32>)> {
+        let mut end = 0;
+        self.solids.chunk_by(|solid, next| solid == next).map(move |run| {
+            let start = end;
+            end += run.len();
+            (start..end, run.first().filter(|solid| **solid != NOTHING).map(|solid| *solid as u32))
+        })
+    }
+
+    /// Where these beams end.
+    pub(super) fn ends(&self, beams: Range<usize>) -> impl Iterator<Item = End> {
+        let directions = self.depths[beams.clone()].iter().zip(&self.slopes[beams.clone()]);
+        let ranges = self.secants[beams.clone()].iter().zip(&self.nearness[beams]);
+        directions.zip(ranges).map(|((depth, slope), (secant, nearness))| End {
+            range: secant / nearness,
+            direction: DVec2::new(*depth, depth * slope),
+        })
     }
 }
 
 /// Where a beam ends.
-pub(super) struct Met {
+pub(super) struct End {
     /// Metres.
     pub(super) range: f64,
-    pub(super) solid: u32,
     /// Unit vector along the beam, in the quadrant's frame.
     pub(super) direction: DVec2,
 }

@@ -40,8 +40,9 @@ impl<'a> Outlook<'a> {
     /// The rows between two distances to the left, metres, from `next` on.
     pub(super) fn rows(&self, [low, high]: [f64; 2], next: usize) -> Option<RangeInclusive<usize>> {
         let row = |left: f64| self.at[1] + left / self.cells.size;
-        let (first, last) = (row(low).max(0.0) as usize, row(high));
-        let rows = first.max(next)..=(last.max(0.0) as usize).min(self.counts[1] - 1);
+        let (first, last) = (row(low), row(high));
+        // Casting takes what is negative to 0.
+        let rows = (first as usize).max(next)..=(last as usize).min(self.counts[1] - 1);
         (last >= 0.0 && !rows.is_empty()).then_some(rows)
     }
 

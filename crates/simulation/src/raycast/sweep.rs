@@ -1,6 +1,11 @@
 use cogmap_geometry::{DVec2, Segment};
 
-use super::{Disc, Hit, beams::Beams, beams::Met, frame::Frame, solid::Solid};
+use super::{
+    Disc, Hit,
+    beams::{Beams, End},
+    frame::Frame,
+    solid::Solid,
+};
 
 /// Metres within which a solid counts as touching the sensor: all beams meet it
 /// at once.
@@ -37,7 +42,7 @@ impl Sweep {
 
     fn lay_segment(&mut self, id: u32, segment: &Segment) {
         let (a, b) = (self.frame.point(segment.a), self.frame.point(segment.b));
-        if a.x.max(b.x) < -TOUCH {
+        if a.x < -TOUCH && b.x < -TOUCH {
             return;
         }
         let along = self.frame.vector(segment.b - segment.a);
@@ -98,16 +103,16 @@ impl Sweep {
         solid: impl Fn(usize) -> Option<&'a Solid>,
         hits: &mut Vec<Option<Hit>>,
     ) {
-        let mut last: Option<(u32, Facing)> = None;
-        hits.extend(self.beams.met().map(|met| {
-            let met = met?;
-            let facing = match last {
-                Some((id, facing)) if id == met.solid => facing,
-                _ => Facing::of(solid(met.solid as usize)?, self.frame),
+        for (beams, id) in self.beams.runs() {
+            let Some((id, met)) = id.and_then(|id| Some((id, solid(id as usize)?))) else {
+                hits.resize(hits.len() + beams.len(), None);
+                continue;
             };
-            last = Some((met.solid, facing));
-            Some(Hit { range: met.range, solid: met.solid, incidence_cos: facing.incidence_cos(&met) })
-        }));
+            let facing = Facing::of(met, self.frame);
+            hits.extend(self.beams.ends(beams).map(|end| {
+                Some(Hit { range: end.range, solid: id, incidence_cos: facing.incidence_cos(&end) })
+            }));
+        }
     }
 }
 
@@ -128,12 +133,13 @@ impl Facing {
         }
     }
 
-    fn incidence_cos(self, met: &Met) -> f64 {
+    fn incidence_cos(self, end: &End) -> f64 {
         let normal = match self {
             Self::Straight(normal) => normal,
-            Self::Round(center, radius) => (met.direction * met.range - center) / radius.max(TOUCH),
+            Self::Round(center, radius) => (end.direction * end.range - center) / radius.max(TOUCH),
         };
-        normal.dot(met.direction).abs().min(1.0)
+        let cos = normal.dot(end.direction).abs();
+        if cos < 1.0 { cos } else { 1.0 }
     }
 }
 
