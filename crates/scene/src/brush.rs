@@ -57,7 +57,8 @@ impl<'a> Brush<'a> {
     }
 
     pub(crate) fn path(&mut self, points: &[DVec2], style: Style, closed: bool) {
-        let points: Vec<_> = points.iter().copied().filter(|point| point.is_finite()).collect();
+        let drawable = |point: &DVec2| point.is_finite() && point.abs().max_element() < FARTHEST;
+        let points: Vec<_> = points.iter().copied().filter(drawable).collect();
         if points.len() >= 2 {
             let fill = style.fill.filter(|_| closed);
             self.marks.push(Mark::Path { points, closed, fill, stroke: style.stroke });
@@ -169,6 +170,8 @@ impl<'a> Brush<'a> {
     }
 }
 
+/// Pixels from the corner; corners beyond, and those that are not numbers, are left out.
+const FARTHEST: f64 = 1e6;
 /// Pixels; a robot is not drawn smaller.
 const SMALLEST_ROBOT: f64 = 7.0;
 /// Pixels.

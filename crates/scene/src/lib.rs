@@ -1,4 +1,25 @@
 //! What to draw, in metres, and the painters that draw it.
+//!
+//! A [`Scene`] is one description of a picture: [`Item`]s of a [`Role`] and a [`Shape`] in metres,
+//! and the legend that explains them. [`world_scene`] shows the truth, [`memory_scene`] what a robot
+//! makes of it. A [`Sheet`] says how large the picture is, which [`Theme`] it follows and which part
+//! of the plane its [`Camera`] shows. [`Picture::of`] lays the one out on the other as [`Mark`]s in
+//! pixels, title, scale bar and legend included, and all that is left to a painter is to put marks
+//! on the screen: [`svg`] and [`png`](mod@png) here, the browser's canvas in the page's own crate. No
+//! painter knows a colour; they all come from the theme.
+//!
+//! ```
+//! use cogmap_geometry::{DVec2, Segment};
+//! use cogmap_scene::{Item, Role, Scene, Shape, Sheet, Theme, svg};
+//!
+//! let wall = Segment::new(DVec2::ZERO, DVec2::new(4.0, 3.0));
+//! let still = vec![Item::new(Role::Wall, Shape::Segments(vec![wall]))];
+//! let scene = Scene { title: "A wall".to_owned(), still, ..Scene::default() };
+//! let document = svg::paint(&scene, &Sheet::new(600.0, 400.0, Theme::Light));
+//! assert!(document.contains("<title>A wall</title>"));
+//! ```
+//!
+//! Nothing here calls the platform's own trigonometry: the same scene gives the same bytes everywhere.
 
 mod brush;
 mod camera;

@@ -155,3 +155,80 @@ fn draw_truth(scene: &mut Scene, session: &Session, journal: &MapperJournal) {
     scene.explain(Sample::Line(Role::Truth), "the world");
     scene.explain(Sample::Robot(Role::Robot), "where the robot is");
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cogmap_simulation::{Command, Robot, SessionRecord, World};
+
+    fn session() -> Session {
+        let world: World = serde_json::from_str(
+            r#"{"format": "cogmap-world/1", "name": "Cell", "start": {"position": [1, 2], "heading_deg": 30},
+                "walls": [[[0, 0], [6, 0], [6, 4], [0, 4], [0, 0]]],
+                "boxes": [{"center": [4.5, 3], "size": [0.6, 0.4]}]}"#,
+        )
+        .unwrap();
+        let source = Source::world(world, Robot::named("perfect").unwrap());
+        let mapper = MapperSetup::named("perceptual").unwrap();
+        let mut session = Session::drive(SessionRecord::new(source, vec![mapper], 1)).unwrap();
+        for turn in [-0.5, 0.2, 0.6] {
+            session.command(Command::Step { turn, travel: 0.7 });
+            while session.advance() && !session.at_rest() {}
+        }
+        session
+    }
+
+    fn of(scene: &Scene, role: Role) -> Vec<Segment> {
+        let items = scene.still.iter().chain(&scene.changing).filter(|item| item.role == role);
+        let segments = items.filter_map(|item| match &item.shape {
+            Shape::Segments(segments) => Some(segments.clone()),
+            _ => None,
+        });
+        segments.flatten().collect()
+    }
+
+    #[test]
+    fn every_stored_surface_is_drawn_once_in_the_colour_of_its_view() {
+        let session = session();
+        let scene = memory_scene(&session, 0, MemoryOptions::default());
+        let stored = session.mappers()[0].mfis().surfaces();
+        assert!(stored.len() > 4);
+        for surface in stored {
+            let roles = [Role::SurfaceOfView(surface.step), Role::DebrisOfView(surface.step)];
+            let drawn = roles.map(|role| of(&scene, role)).concat();
+            assert_eq!(drawn.iter().filter(|drawn| **drawn == surface.segment).count(), 1);
+        }
+    }
+
+    #[test]
+    fn the_truth_laid_over_agrees_with_what_was_seen_first() {
+        let session = session();
+        let truth = of(
+            &memory_scene(&session, 0, MemoryOptions { truth: true, ..MemoryOptions::default() }),
+            Role::Truth,
+        );
+        let first = session.mappers()[0].mfis().surfaces().iter().filter(|surface| surface.step == 0);
+        for surface in first.filter(|surface| surface.segment.length() > DEBRIS) {
+            let middle = surface.segment.midpoint();
+            let nearest = truth.iter().map(|wall| wall.distance_to(middle)).fold(f64::INFINITY, f64::min);
+            assert!(nearest < 0.02, "{surface:?} lies {nearest} m from every wall");
+        }
+    }
+
+    #[test]
+    fn a_mapper_that_is_not_there_has_nothing_in_mind() {
+        assert_eq!(memory_scene(&session(), 1, MemoryOptions::default()), Scene::default());
+    }
+
+    #[test]
+    fn the_reference_is_drawn_as_known_and_as_seen() {
+        let session = session();
+        let report = session.journal().mappers[0].reports.last().unwrap();
+        assert_eq!(report.placement, Placement::Reference);
+        let scene = memory_scene(&session, 0, MemoryOptions::default());
+        let known = session.mappers()[0].mfis().get(report.references[0].known).unwrap();
+        assert_eq!(of(&scene, Role::ReferenceKnown), [known.segment]);
+        let seen = of(&scene, Role::ReferenceSeen)[0];
+        assert!(known.segment.distance_to(seen.midpoint()) < 0.05);
+    }
+}

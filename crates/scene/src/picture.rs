@@ -69,6 +69,7 @@ impl Picture {
     /// Lays a scene out on a sheet.
     #[must_use]
     pub fn of(scene: &Scene, sheet: &Sheet) -> Self {
+        let sheet = &Sheet { camera: Some(sheet.camera_for(scene)), ..*sheet };
         let mut marks = Self::still(scene, sheet);
         marks.extend(Self::changing(scene, sheet));
         marks.extend(Self::surround(scene, sheet));
@@ -124,4 +125,75 @@ fn shortened(text: &str, size: f64, room: f64) -> String {
         kept.pop();
     }
     format!("{}…", kept.trim_end())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{LegendEntry, Role, Sample, Shape};
+    use cogmap_geometry::{Pose, Segment};
+    use proptest::{num::f64::ANY, prelude::*};
+
+    prop_compose! {
+        fn any_point()(x in ANY, y in ANY) -> DVec2 { DVec2::new(x, y) }
+    }
+
+    fn numbers(mark: &Mark) -> Vec<f64> {
+        let points: Vec<DVec2> = match mark {
+            Mark::Lines { lines, .. } => lines.iter().flatten().copied().collect(),
+            Mark::Path { points, .. } => points.clone(),
+            Mark::Circles { circles, .. } => circles.iter().map(|(center, _)| *center).collect(),
+            Mark::Text { at, .. } => vec![*at],
+        };
+        points.iter().flat_map(|point| [point.x, point.y]).collect()
+    }
+
+    proptest! {
+        #[test]
+        fn nothing_that_is_not_a_number_reaches_a_painter(a in any_point(), b in any_point(), radius in ANY) {
+            let label = Shape::Label { at: b, text: "here".to_owned(), room: radius };
+            let shapes = [
+                Shape::Segments(vec![Segment::new(a, b)]),
+                Shape::Polyline(vec![a, b, DVec2::ONE]),
+                Shape::Polygon(vec![a, b, DVec2::ONE]),
+                Shape::Disc(a, radius),
+                Shape::Signs(vec![a, b]),
+                Shape::Robot(Pose { position: a, heading: b.x }, radius),
+                label,
+            ];
+            let roles = [Role::Wall, Role::Furniture, Role::PathStep, Role::FallbackPlacement, Role::Robot];
+            let items = roles.iter().flat_map(|role| shapes.iter().map(|shape| Item::new(*role, shape.clone())));
+            let scene = Scene { still: items.collect(), ..Scene::default() };
+            let picture = Picture::of(&scene, &Sheet::new(640.0, 480.0, Theme::Light));
+            prop_assert!(picture.marks.iter().flat_map(numbers).all(f64::is_finite));
+        }
+    }
+
+    #[test]
+    fn room_names_never_cover_each_other() {
+        let label = |x: f64| Shape::Label { at: DVec2::new(x, 0.0), text: "Storeroom".to_owned(), room: 9.0 };
+        let still = [0.0, 0.3, 4.0].map(|x| Item::new(Role::RoomLabel, label(x))).to_vec();
+        let scene = Scene { still, ..Scene::default() };
+        let sheet = Sheet { title: false, ..Sheet::new(640.0, 480.0, Theme::Light) };
+        let is_label = |mark: &&Mark| matches!(mark, Mark::Text { text, .. } if text == "Storeroom");
+        assert_eq!(Picture::of(&scene, &sheet).marks.iter().filter(is_label).count(), 2);
+    }
+
+    #[test]
+    fn a_fitted_map_is_not_covered_by_its_legend() {
+        let wall = Segment::new(DVec2::ZERO, DVec2::new(10.0, 10.0));
+        let still = vec![Item::new(Role::Wall, Shape::Segments(vec![wall]))];
+        let entry = LegendEntry::new(Sample::Line(Role::Wall), "a wall with a long explanation");
+        let scene = Scene { still, legend: vec![entry; 7], ..Scene::default() };
+        let sheet = Sheet::new(390.0, 600.0, Theme::Light);
+        let lowest = sheet.camera_for(&scene).to_pixels(wall.a, 390.0, 600.0).y;
+        assert!(lowest <= 600.0 - Footer::of(&scene, &sheet).height);
+    }
+
+    #[test]
+    fn long_titles_end_in_an_ellipsis() {
+        assert_eq!(shortened("Office", 17.0, 300.0), "Office");
+        let short = shortened("An office with far too long a name", 17.0, 120.0);
+        assert!(short.ends_with('…') && text_width(&short, 17.0) <= 120.0, "{short}");
+    }
 }

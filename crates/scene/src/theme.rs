@@ -84,7 +84,7 @@ impl Theme {
             Role::DoorSwing => Style::line(solid(palette.door).with_alpha(96), 1.0),
             Role::TruePath => Style::line(solid(palette.robot).with_alpha(170), 1.5),
             Role::Robot => Style::area(solid(palette.robot), Some((solid(palette.room), 1.5))),
-            Role::LaserFan => Style::area(solid(palette.laser).with_alpha(22), None),
+            Role::LaserFan => Style::area(solid(palette.laser).with_alpha(28), None),
             Role::LaserHit => Style::points(solid(palette.laser), Sign::Dot(1.25)),
             Role::Truth => Style::line(solid(palette.truth), 1.0),
             Role::SurfaceOfView(view) => {
@@ -94,8 +94,10 @@ impl Theme {
             Role::SeenNow => Style::line(solid(palette.robot).with_alpha(90), 6.0),
             Role::ReferenceKnown => Style::line(solid(palette.reference).with_alpha(90), 9.0),
             Role::ReferenceSeen => Style::line(solid(palette.reference), 2.0),
-            Role::Path => Style::line(solid(palette.muted), 1.0),
-            Role::PathStep => Style::points(solid(palette.muted), Sign::Dot(1.75)),
+            Role::Path => Style::line(solid(palette.muted).with_alpha(200), 1.0),
+            Role::PathStep => {
+                Style::points(solid(palette.muted), Sign::Dot((pixels_per_metre * 0.03).clamp(0.5, 1.75)))
+            }
             Role::WeakPlacement => Style::points(solid(palette.warning), Sign::Diamond(4.5)).hollow(palette),
             Role::FallbackPlacement => Style::points(solid(palette.warning), Sign::Triangle(4.5)),
             Role::BelievedRobot => Style::area(solid(palette.room), Some((solid(palette.robot), 2.0))),
@@ -120,5 +122,86 @@ impl Style {
     fn hollow(self, palette: &Palette) -> Self {
         let stroke = self.fill.map(|colour| Stroke { colour, width: 1.5 });
         Self { fill: Some(Colour::solid(palette.paper)), stroke, ..self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cogmap_geometry::trig;
+
+    fn linear(colour: Colour) -> [f64; 3] {
+        colour.rgb.map(|byte| {
+            let share = f64::from(byte) / 255.0;
+            if share <= 0.040_45 { share / 12.92 } else { trig::pow((share + 0.055) / 1.055, 2.4) }
+        })
+    }
+
+    /// WCAG 2, relative luminance and contrast ratio.
+    fn contrast(one: Colour, other: Colour) -> f64 {
+        let luminance = |colour| {
+            let [r, g, b] = linear(colour);
+            0.2126 * r + 0.7152 * g + 0.0722 * b
+        };
+        let (one, other) = (luminance(one), luminance(other));
+        (one.max(other) + 0.05) / (one.min(other) + 0.05)
+    }
+
+    /// OKLab (Ottosson 2020): distances are about as large as they look.
+    fn oklab(colour: Colour) -> [f64; 3] {
+        let [r, g, b] = linear(colour);
+        let root = |value: f64| trig::pow(value, 1.0 / 3.0);
+        let l = root(0.412_221_470_8 * r + 0.536_332_536_3 * g + 0.051_445_992_9 * b);
+        let m = root(0.211_903_498_2 * r + 0.680_699_545_1 * g + 0.107_396_956_6 * b);
+        let s = root(0.088_302_461_9 * r + 0.281_718_837_6 * g + 0.629_978_700_5 * b);
+        [
+            0.210_454_255_3 * l + 0.793_617_785_0 * m - 0.004_072_046_8 * s,
+            1.977_998_495_1 * l - 2.428_592_205_0 * m + 0.450_593_709_9 * s,
+            0.025_904_037_1 * l + 0.782_771_766_2 * m - 0.808_675_766_0 * s,
+        ]
+    }
+
+    fn run(theme: Theme) -> Vec<Colour> {
+        (0..=16).map(|i| theme.of_run(f64::from(i) / 16.0)).collect()
+    }
+
+    const THEMES: [Theme; 2] = [Theme::Light, Theme::Dark];
+
+    #[test]
+    fn every_view_stands_out_from_the_ground() {
+        for theme in THEMES {
+            for i in 0..=200 {
+                let colour = theme.of_run(f64::from(i) / 200.0);
+                assert!(contrast(colour, theme.paper()) >= 3.0, "{theme:?} {i}: {}", colour.css());
+            }
+        }
+    }
+
+    #[test]
+    fn later_views_are_lighter_in_even_steps() {
+        for theme in THEMES {
+            let labs: Vec<_> = run(theme).into_iter().map(oklab).collect();
+            for pair in labs.windows(2) {
+                let ([l0, a0, b0], [l1, a1, b1]) = (pair[0], pair[1]);
+                let step = ((l1 - l0) * (l1 - l0) + (a1 - a0) * (a1 - a0) + (b1 - b0) * (b1 - b0)).sqrt();
+                assert!((0.03..0.05).contains(&step), "{theme:?}: {step}");
+                assert!(l1 - l0 > 0.005, "{theme:?}: lightness rises by {}", l1 - l0);
+            }
+        }
+    }
+
+    #[test]
+    fn words_and_marks_can_be_read() {
+        for theme in THEMES {
+            let palette = theme.palette();
+            for ground in [palette.paper, palette.room].map(Colour::solid) {
+                for text in [palette.ink, palette.muted] {
+                    assert!(contrast(Colour::solid(text), ground) >= 4.5, "{theme:?} {text:06x}");
+                }
+                for mark in [palette.door, palette.laser, palette.robot, palette.reference, palette.warning] {
+                    assert!(contrast(Colour::solid(mark), ground) >= 3.0, "{theme:?} {mark:06x}");
+                }
+            }
+        }
     }
 }
