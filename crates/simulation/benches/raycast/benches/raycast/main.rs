@@ -46,7 +46,7 @@ fn trials() -> Vec<Trial> {
     let sizes = 0..SIZES.len();
     let each = |size| {
         (0..METHODS.len()).map(move |method| {
-            let (batches, rounds) = [(POSES / BATCH, 200), (POSES / BATCH, 12), (1, 4)][method];
+            let (batches, rounds) = [(POSES / BATCH, 800), (POSES / BATCH, 40), (1, 4)][method];
             Trial { size, method, batches, rounds }
         })
     };
