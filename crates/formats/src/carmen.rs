@@ -170,7 +170,7 @@ impl Reader<'_> {
     }
 
     fn finish(mut self) -> Result<CarmenLog, FormatError> {
-        if self.scans.is_empty() {
+        if !self.scans.iter().any(RawScan::shows_something) {
             return Err(FormatError::NoScan { place: Place::file(self.file), seen: self.seen() });
         }
         self.counts.scans = self.scans.len();
@@ -192,6 +192,9 @@ impl Reader<'_> {
     /// What a log without scans held, for its error.
     fn seen(&self) -> String {
         let mut seen = vec![format!("{} odometry records", self.odometry.len())];
+        if !self.scans.is_empty() {
+            seen.push(format!("{} scans without a single distance", self.scans.len()));
+        }
         seen.push(format!("{} broken lines", self.counts.broken));
         if let Some(first) = self.skipped.first() {
             seen.push(format!("the first, line {}: {}", first.line, first.reason));

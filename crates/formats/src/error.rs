@@ -34,6 +34,18 @@ pub(crate) fn saturated(number: usize) -> u32 {
     u32::try_from(number).unwrap_or(u32::MAX)
 }
 
+/// What a file says, fit for a message: short, and without characters that do things to a terminal.
+pub(crate) fn tame(text: &str) -> String {
+    let shown: Vec<char> = text.chars().filter(|letter| !letter.is_control()).take(401).collect();
+    match (shown.get(..200), shown.len() > 400) {
+        (Some(beginning), true) => {
+            let end: Vec<char> = text.chars().rev().filter(|letter| !letter.is_control()).take(100).collect();
+            beginning.iter().copied().chain(" … ".chars()).chain(end.into_iter().rev()).collect()
+        }
+        _ => shown.into_iter().collect(),
+    }
+}
+
 impl fmt::Display for Place {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         out.write_str(&self.file)?;

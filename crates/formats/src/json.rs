@@ -11,7 +11,7 @@ pub(crate) use layout::write;
 
 use crate::{
     FormatError,
-    error::{Place, nearest, saturated},
+    error::{Place, nearest, saturated, tame},
 };
 
 /// A piece of a larger JSON text: which file, where in it the piece begins, and under which key.
@@ -56,6 +56,11 @@ impl<'a> Piece<'a> {
 
     /// Makes sure that the file says what it is before its other keys are judged.
     pub(crate) fn expect_format(&self, expected: &'static str) -> Result<(), FormatError> {
+        if self.text.trim_start().starts_with(|first| first != '{') {
+            let (place, problem) = (Place::line(self.file, 1), "expected a JSON object".to_owned());
+            let remedy = format!("begin the file with {{ \"format\": \"{expected}\"");
+            return Err(FormatError::Json { place, problem, remedy });
+        }
         #[derive(Deserialize)]
         struct Probe {
             format: Option<serde_json::Value>,
@@ -65,7 +70,7 @@ impl<'a> Piece<'a> {
             Ok(Probe { format: Some(serde_json::Value::String(format)) }) if format == expected => {
                 return Ok(());
             }
-            Ok(Probe { format: Some(format) }) => format.to_string(),
+            Ok(Probe { format: Some(format) }) => tame(&format.to_string()),
             Ok(Probe { format: None }) => "none".to_owned(),
             Err(_) => return Ok(()),
         };
@@ -100,25 +105,26 @@ impl<'a> Piece<'a> {
     }
 
     fn explain(&self, path: &str, error: &serde_json::Error) -> FormatError {
-        let place = self.place(path, error);
-        let message = without_position(&error.to_string());
+        let message = plain(&error.to_string());
         if let Some((key, known)) = unknown_key(&message) {
-            let place = Place { key: parent_of(&place.key, &key), ..place };
-            return FormatError::UnknownKey { place, key, known };
+            let place = self.place(&parent_of(path, &key), error);
+            return FormatError::UnknownKey { place, key: tame(&key), known };
         }
+        let place = self.place(path, error);
         let remedy = variant_remedy(&message).unwrap_or_else(|| remedy(error, &message));
-        FormatError::Json { place, problem: message, remedy }
+        FormatError::Json { place, problem: tame(&message), remedy }
     }
 
     fn place(&self, path: &str, error: &serde_json::Error) -> Place {
-        let path = if path == "." { "" } else { path };
+        // A question mark stands for the member that was about to begin.
+        let path = path.trim_end_matches(['.', '?']);
         let (line, column) = (error.line(), error.column());
         let columns = if line == 1 { self.before.1 } else { 0 };
         Place {
             file: self.file.to_owned(),
             line: (line > 0).then(|| saturated(self.before.0 + line)),
             column: (line > 0).then(|| saturated(columns + column.max(1))),
-            key: join(&self.key, path),
+            key: tame(&join(&self.key, path)),
         }
     }
 }
@@ -134,12 +140,26 @@ fn join(outer: &str, inner: &str) -> String {
 
 /// The path without the unknown key itself, which the message names anyway.
 fn parent_of(path: &str, key: &str) -> String {
-    let parent = path.strip_suffix(key).unwrap_or(path);
-    parent.trim_end_matches('.').to_owned()
+    match path.strip_suffix(key) {
+        Some("") => String::new(),
+        Some(parent) => parent.strip_suffix('.').unwrap_or(path).to_owned(),
+        None => path.to_owned(),
+    }
 }
 
-fn without_position(message: &str) -> String {
-    message.rsplit_once(" at line ").map_or(message, |(before, _)| before).to_owned()
+/// What serde says, without the position and in fewer terms of Rust.
+fn plain(message: &str) -> String {
+    let message = message.rsplit_once(" at line ").map_or(message, |(before, _)| before);
+    let Some((found, expected)) = message.rsplit_once(", expected ") else { return message.to_owned() };
+    let expected = match expected {
+        "f64" => "a number",
+        "u64" | "u32" | "usize" => "a whole number, not negative",
+        _ if expected.starts_with("struct ") || expected.starts_with("internally tagged enum ") => {
+            "an object in {}"
+        }
+        _ => expected,
+    };
+    format!("{found}, expected {expected}")
 }
 
 /// Takes apart what serde says about keys and variants that a type does not have.
@@ -165,10 +185,16 @@ fn variant_remedy(message: &str) -> Option<String> {
 
 fn remedy(error: &serde_json::Error, message: &str) -> String {
     use serde_json::error::Category;
+    if message == "number out of range" {
+        return "write a number nearer to zero".to_owned();
+    }
+    if message == "trailing characters" {
+        return "take out what is too much here".to_owned();
+    }
     match error.classify() {
         Category::Eof => "the file ends too early: a bracket or quote is never closed, or it was cut off".to_owned(),
         Category::Syntax => {
-            "look just before this place for a missing or extra comma, quote or bracket (JSON has no comments)"
+            "look just before this place for a missing or extra comma, quote or bracket (JSON has no comments, NaN or Infinity)"
                 .to_owned()
         }
         Category::Data | Category::Io => match message.strip_prefix("missing field ") {
@@ -209,6 +235,27 @@ mod tests {
         assert!(error("{\"wals\": []}").ends_with("unknown key `wals`; did you mean `walls`?"));
         assert!(error("{\"qqq\": []}").ends_with("unknown key `qqq`; known here: walls"));
         assert!(error("{\"`, expected\": []}").contains("unknown key"));
+    }
+
+    #[test]
+    fn an_unknown_key_named_like_its_parent_is_told_apart() {
+        #[derive(Debug, Deserialize)]
+        #[serde(deny_unknown_fields)]
+        #[allow(dead_code, reason = "only its errors are read")]
+        struct Outer {
+            sample: Sample,
+        }
+        let text = r#"{"sample": {"sample": 1}}"#;
+        let message = Piece::whole(text, "a.json").read::<Outer>().unwrap_err().to_string();
+        assert!(message.contains("at `sample`: unknown key `sample`"), "{message}");
+    }
+
+    #[test]
+    fn what_a_file_says_is_quoted_short_and_without_control_characters() {
+        let message = error(&format!("{{\"walls\": \"\\u001b[31m{}\"}}", "x".repeat(100_000)));
+        assert!(message.len() < 600 && !message.contains('\u{1b}'), "{message}");
+        let message = error(&format!("{{\"{}\": 1}}", "\\u0007y".repeat(100_000)));
+        assert!(message.len() < 600 && !message.contains('\u{7}'), "{message}");
     }
 
     #[test]

@@ -31,6 +31,12 @@ pub(super) struct RawScan {
     pub(super) odom_from_robot: Pose,
 }
 
+impl RawScan {
+    pub(super) fn shows_something(&self) -> bool {
+        self.ranges.iter().any(|range| range.is_finite())
+    }
+}
+
 /// One line of a log.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Message {

@@ -48,10 +48,8 @@ fn between(
     let mut records = records.iter().peekable();
     for (index, scan) in scans.iter().enumerate() {
         rows.push(*scan);
-        while let Some(record) = records.next_if(|record| record.t <= scan.t) {
-            // Before the first scan there is nothing to go on from; at a scan there is the scan.
-            let _ = record;
-        }
+        // Before the first scan there is nothing to go on from; at a scan there is the scan.
+        while records.next_if(|record| record.t <= scan.t).is_some() {}
         let next = scans.get(index + 1).map_or(f64::INFINITY, |next| next.t);
         while let Some(record) = records.next_if(|record| record.t < next) {
             rows.extend(pose_of(index, record).map(|pose| Stamped { t: record.t, pose }));
