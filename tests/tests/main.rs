@@ -8,3 +8,9 @@
 
 // The crates depend on each other in one direction only, and the robot cannot peek at the truth.
 mod architecture;
+
+// Whatever is wrong with a file or an argument, the message names the place and the way out.
+mod bad_input;
+
+// One session gives the same map natively, in Node and in a browser.
+mod same_bytes;
