@@ -64,7 +64,6 @@ impl Driver {
         let mut from = DVec2::from(world.start.position);
         let mut legs = VecDeque::new();
         for (k, &to) in route.iter().enumerate() {
-            planner.rest();
             let problem = |message| format!("point {} of the route, [{}, {}], {message}", k + 1, to.x, to.y);
             legs.push_back(Leg::new(planner.way(from, to).map_err(problem)?, from));
             from = to;
@@ -77,11 +76,10 @@ impl Driver {
     pub fn next_command(&mut self, world_from_robot: Pose) -> Option<Command> {
         self.planner.rest();
         self.pass_points(world_from_robot.position);
-        if let Some(step) = self.step(world_from_robot) {
-            return Some(step);
-        }
-        self.plan_again(world_from_robot.position)?;
-        self.step(world_from_robot)
+        self.step(world_from_robot).or_else(|| {
+            self.plan_again(world_from_robot.position)?;
+            self.step(world_from_robot)
+        })
     }
 
     /// Forgets the points that have been reached.
@@ -101,8 +99,12 @@ impl Driver {
         }
     }
 
-    /// Plans the rest of the leg from where the robot is.
+    /// Plans the rest of the leg from where the robot is; the leg to a point that it has all but
+    /// reached gives way to the next one.
     fn plan_again(&mut self, position: DVec2) -> Option<()> {
+        if self.legs.front()?.points.back()?.distance(position) < MISSED {
+            self.legs.pop_front();
+        }
         let leg = self.legs.front_mut()?;
         let way = self.planner.way(position, *leg.points.back()?);
         leg.points = way.ok()?.into();

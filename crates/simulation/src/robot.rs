@@ -156,13 +156,14 @@ pub struct OdometryErrors {
 }
 
 impl OdometryErrors {
-    /// The newer robot of §3.1.4.
+    /// The newer robot of §3.1.4: after a loop of 90 m its odometry is off by 10° (median) and 3 m.
     #[must_use]
     pub fn good() -> Self {
         Self { left_radius: -0.000_33, right_radius: 0.000_33, axle: 0.005, slip: 0.0027 }
     }
 
-    /// The older robot of §3.1.4: its right wheel is worn less than its left one.
+    /// The older robot of §3.1.4, its left wheel more worn than its right one: after a loop of 90 m
+    /// its odometry is off by 90° (median) and 23 m.
     #[must_use]
     pub fn bad() -> Self {
         Self { left_radius: -0.0029, right_radius: 0.0029, axle: 0.02, slip: 0.006 }

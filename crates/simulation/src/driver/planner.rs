@@ -4,13 +4,15 @@ use super::{lattice::Lattice, search::Search};
 use crate::{Obstacles, Solids, World};
 
 /// How far the person keeps the robot from everything, metres.
-pub(crate) const CLEARANCE: f64 = 0.05;
+pub(super) const CLEARANCE: f64 = 0.05;
+/// How much wider than that a way must be for the errors of the smallest steps, metres.
+const SPARE: f64 = 0.02;
 /// Where there is room, the person keeps so much more, metres.
 const COMFORT: f64 = 0.25;
 /// Within this distance of where it stands the robot may stay as close to things as it is, metres.
 const LEEWAY: f64 = 0.5;
 /// How many solids are looked at before a building counts as too intricate to plan in.
-const PATIENCE: u64 = 40_000_000;
+const PATIENCE: u64 = 60_000_000;
 
 /// Finds ways for a round robot through a building that it knows exactly.
 pub(crate) struct Planner {
@@ -33,7 +35,7 @@ impl Planner {
         let (low, high) = known.fold((start, start), |(low, high), p| (low.min(p), high.max(p)));
         let lattice = Lattice::over(low - 1.0, high + 1.0);
         let room = vec![f32::NAN; lattice.cells()];
-        Self { obstacles, lattice, keep: radius + CLEARANCE, room, patience: PATIENCE }
+        Self { obstacles, lattice, keep: radius + CLEARANCE + SPARE, room, patience: PATIENCE }
     }
 
     /// The points to pass on the way, the last being `to` itself: only that one where the straight
@@ -182,7 +184,7 @@ mod tests {
         assert!((3..=6).contains(&way.len()), "{way:?}");
         let mut from = DVec2::ZERO;
         for to in way {
-            assert!(planner.obstacles.leaves_free(Segment::new(from, to), 0.30 - 1e-6), "{from} {to}");
+            assert!(planner.obstacles.leaves_free(Segment::new(from, to), 0.32 - 1e-6), "{from} {to}");
             from = to;
         }
     }
