@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, de::DeserializeOwned};
 use serde_json::value::RawValue;
 
-pub(crate) use layout::write;
+pub(crate) use layout::{write, write_file};
 
 use crate::{
     FormatError,
@@ -91,7 +91,7 @@ impl<'a> Piece<'a> {
             file: self.file.to_owned(),
             line: known.then(|| saturated(lines + 1)),
             column: known.then(|| saturated(columns + 1)),
-            key: join(&self.key, path),
+            key: tame(&join(&self.key, path)),
         }
     }
 

@@ -37,7 +37,7 @@ pub fn read(text: &str, file: &str) -> Result<SessionFile, FormatError> {
 /// The session as a file, each command on a line of its own.
 #[must_use]
 pub fn write(record: &SessionRecord) -> String {
-    json::write(record, 3)
+    json::write_file(record, 3)
 }
 
 /// Another version may map differently: said, not refused.

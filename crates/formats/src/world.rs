@@ -5,7 +5,7 @@ use schemars::generate::SchemaSettings;
 
 use crate::{
     FormatError,
-    error::{Complaint, Place},
+    error::{Complaint, Place, tame},
     json::{self, Piece},
 };
 
@@ -34,7 +34,7 @@ pub fn read(text: &str, file: &str) -> Result<World, FormatError> {
 /// The world as a file, each wall, box and room on a line of its own.
 #[must_use]
 pub fn write(world: &World) -> String {
-    json::write(world, 2)
+    json::write_file(world, 2)
 }
 
 /// The JSON Schema of world files, for editors and other programs.
@@ -45,7 +45,7 @@ pub fn schema() -> String {
     if let Some(format) = schema.pointer_mut("/properties/format").and_then(|it| it.as_object_mut()) {
         format.insert("const".to_owned(), WORLD_FORMAT.into());
     }
-    json::write(&schema, 99)
+    json::write_file(&schema, 99)
 }
 
 /// Turns what cannot be simulated into an error that knows the lines.
@@ -55,7 +55,7 @@ pub(crate) fn complain(piece: &Piece<'_>, problems: Vec<Problem>) -> Result<(), 
     }
     let complaint = |problem: Problem| {
         let place = piece.locate(&problem.place);
-        Complaint { place, problem: problem.message }
+        Complaint { place, problem: tame(&problem.message) }
     };
     let complaints = problems.into_iter().map(complaint).collect();
     Err(FormatError::Problems { place: Place::file(piece.file), complaints })

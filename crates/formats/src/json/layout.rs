@@ -15,6 +15,11 @@ pub(crate) fn write<T: Serialize>(value: &T, depth: usize) -> String {
     }
 }
 
+/// The same with the line's end that a text file has.
+pub(crate) fn write_file<T: Serialize>(value: &T, depth: usize) -> String {
+    write(value, depth) + "\n"
+}
+
 /// Lays JSON out: broken over lines down to a depth, compact below it.
 struct Tidy {
     depth: usize,

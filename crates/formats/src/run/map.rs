@@ -71,9 +71,7 @@ pub fn map(session: &Session, index: usize) -> String {
         asrs: [],
         path: mapper.path().iter().map(path_row).collect(),
     };
-    let mut text = json::write(&file, 2);
-    text.push('\n');
-    text
+    json::write_file(&file, 2)
 }
 
 fn surface_row(surface: &StoredSurface, true_wall: Option<u32>) -> SurfaceRow {

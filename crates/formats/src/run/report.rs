@@ -86,9 +86,7 @@ pub fn report(session: &Session, extras: Extras<'_>) -> String {
         run: run(session),
         mappers: mappers.filter_map(|(index, label)| mapper_note(session, index, label)).collect(),
     };
-    let mut text = json::write(&report, 8);
-    text.push('\n');
-    text
+    json::write_file(&report, 8)
 }
 
 fn source_note<'a>(source: &'a Source, lines: Option<&'a Counts>) -> SourceNote<'a> {
