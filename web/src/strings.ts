@@ -61,9 +61,8 @@ export const strings = {
     view: (step: number, seen: number, recognised: number) =>
       `View ${step}: ${count(seen, 'surface', 'surfaces')} seen, ${recognised} recognised`,
     first: 'the first view lays down the map’s frame',
-    reference: (seen: number, known: number) => `reference: seen ${seen} is known ${known}`,
-    weak: (seen: number, known: number) =>
-      `reference: seen ${seen} is known ${known}, its place along the wall a guess`,
+    reference: (known: number) => `reference: surface ${known}`,
+    weak: (known: number) => `reference: surface ${known}, its place along the wall a guess`,
     odometry: 'placed by odometry',
     placed: (surfaces: number) =>
       surfaces === 0 ? 'nothing new' : `${count(surfaces, 'new surface', 'new surfaces')} placed`,
@@ -104,6 +103,8 @@ export const strings = {
     withTouch: 'tap anywhere in the world',
   },
 
+  truth: 'Lay the truth over the memory',
+
   zoom: { title: 'Zoom', in: 'Zoom in', out: 'Zoom out', fit: 'Show everything' },
 
   theme: { dark: 'Switch to dark', light: 'Switch to light' },
@@ -126,6 +127,7 @@ export const strings = {
       { keys: ['R'], does: 'start over' },
       { keys: ['[', ']'], does: 'slower, faster' },
       { keys: ['+', '−', '0'], does: 'zoom in, zoom out, show everything' },
+      { keys: ['O'], does: 'lay the truth over the memory' },
       { keys: ['T'], does: 'light or dark' },
       { keys: ['Esc'], does: 'close what is open, or cancel a log' },
       { keys: ['?'], does: 'this list' },

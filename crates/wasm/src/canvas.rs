@@ -88,7 +88,11 @@ impl Kept {
     }
 }
 
-fn draw<'a>(context: &Context, marks: impl IntoIterator<Item = &'a Mark>, density: f64) -> Result<(), JsValue> {
+fn draw<'a>(
+    context: &Context,
+    marks: impl IntoIterator<Item = &'a Mark>,
+    density: f64,
+) -> Result<(), JsValue> {
     context.set_line_cap("round");
     context.set_line_join("round");
     for mark in marks {

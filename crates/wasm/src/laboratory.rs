@@ -1,6 +1,6 @@
 use cogmap_formats::{run::map, session};
 use cogmap_geometry::DVec2;
-use cogmap_scene::Sheet;
+use cogmap_scene::{MemoryOptions, Sheet};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::{JsError, prelude::wasm_bindgen};
 use web_sys::OffscreenCanvasRenderingContext2d;
@@ -23,6 +23,7 @@ use crate::{
 pub struct Laboratory {
     run: Run,
     views: Views,
+    shown: MemoryOptions,
     left: Canvas,
     right: Canvas,
 }
@@ -141,6 +142,11 @@ impl Laboratory {
         Ok(())
     }
 
+    /// Lays the truth over the memory, or takes it away.
+    pub fn show_truth(&mut self, truth: bool) {
+        self.shown.truth = truth;
+    }
+
     /// Shows everything again.
     pub fn fit(&mut self) {
         self.views.fit();
@@ -170,7 +176,7 @@ impl Laboratory {
         density: f64,
     ) -> Result<(), JsError> {
         let (view, look) = (view.to_rust()?, look.to_rust()?);
-        let scene = scene(self.run.session(), view);
+        let scene = scene(self.run.session(), view, self.shown);
         self.views.make_room(&scene);
         let DVec2 { x: width, y: height } = self.views.size(view);
         let legend = self.views.has_legend(view);
@@ -184,7 +190,7 @@ impl Laboratory {
         Ok(canvas.paint(context, &scene, &sheet, place).map_err(Failure::from)?)
     }
 
-    /// Paints both views side by side with titles and legends, each of that size in pixels of the page.
+    /// Paints both views side by side with titles and legends, each in a square of that many pixels of the page.
     ///
     /// # Errors
     /// What is no look, and what the browser has against painting.
@@ -192,14 +198,13 @@ impl Laboratory {
         &self,
         context: &OffscreenCanvasRenderingContext2d,
         look: Ts<Look>,
-        width: f64,
-        height: f64,
+        side: f64,
         density: f64,
     ) -> Result<(), JsError> {
-        let sheet = Sheet::new(width, height, look.to_rust()?.into());
-        for (view, x) in [(View::Left, 0.0), (View::Right, width)] {
+        let sheet = Sheet::new(side, side, look.to_rust()?.into());
+        for (view, x) in [(View::Left, 0.0), (View::Right, side)] {
             let place = Place { corner: DVec2::new(x, 0.0), density };
-            let scene = scene(self.run.session(), view);
+            let scene = scene(self.run.session(), view, self.shown);
             Canvas::default().paint(context, &scene, &sheet, place).map_err(Failure::from)?;
         }
         Ok(())
@@ -210,8 +215,9 @@ impl Laboratory {
     fn of(run: Run) -> Self {
         let mut views = Views::new();
         for view in [View::Left, View::Right] {
-            views.make_room(&scene(run.session(), view));
+            views.make_room(&scene(run.session(), view, MemoryOptions::default()));
         }
-        Self { run, views, left: Canvas::default(), right: Canvas::default() }
+        let shown = MemoryOptions::default();
+        Self { run, views, shown, left: Canvas::default(), right: Canvas::default() }
     }
 }

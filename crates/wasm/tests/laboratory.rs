@@ -69,7 +69,7 @@ fn until_idle(laboratory: &mut Laboratory) {
 fn log(scans: usize) -> String {
     let scan = |number: usize| {
         let x = number as f64 * 0.2;
-        let ranges: Vec<_> = (0..180).map(|beam| {
+        let ranges = (0..180).map(|beam| {
             let bearing = (f64::from(beam) - 89.5).to_radians();
             let (sin, cos) = cogmap_geometry::trig::sin_cos(bearing);
             format!("{:.3}", (2.0 / sin.abs()).min((9.0 - x) / cos))

@@ -1,7 +1,19 @@
 import type { Direction } from '../state/held.svelte';
 
 /** What a key does beside driving. */
-export type Action = 'toggle' | 'next' | 'stop' | 'restart' | 'slower' | 'faster' | 'in' | 'out' | 'fit' | 'theme' | 'help';
+export type Action =
+  | 'toggle'
+  | 'next'
+  | 'stop'
+  | 'restart'
+  | 'slower'
+  | 'faster'
+  | 'in'
+  | 'out'
+  | 'fit'
+  | 'truth'
+  | 'theme'
+  | 'help';
 
 const DIRECTIONS: Record<string, Direction> = {
   ArrowUp: 'ahead',
@@ -26,6 +38,7 @@ const ACTIONS: Record<string, Action> = {
   '-': 'out',
   '−': 'out',
   '0': 'fit',
+  o: 'truth',
   t: 'theme',
   '?': 'help',
 };

@@ -10,6 +10,8 @@ export const PACES: Pace[] = [1, 2, 4, 8, 16, 32, 'full'];
 
 /** The building that the page opens on. */
 const OPENING_WORLD = 'office';
+/** How many views of it the robot has taken when the page opens: enough to see what a memory is. */
+const OPENING_VIEWS = 6;
 
 /** The one owner of what the page shows; the run itself lives in a worker. */
 export class Lab {
@@ -18,6 +20,8 @@ export class Lab {
   status = $state.raw<Status>();
   playing = $state(false);
   pace = $state<Pace>(2);
+  /** Whether the truth is laid over the memory. */
+  truth = $state(false);
   /** Whether somebody has driven yet: the invitation to do so has done its work. */
   driven = $state(false);
   /** Name of the file being read. */
@@ -51,16 +55,16 @@ export class Lab {
       const { robot, mapper, seed } = offer.choices;
       const world = offer.worlds.find(({ file }) => file === OPENING_WORLD) ?? offer.worlds[0];
       this.offer = offer;
-      await this.start({ world: world?.file ?? '', robot, mapper, seed });
+      await this.start({ world: world?.file ?? '', robot, mapper, seed }, OPENING_VIEWS);
     } catch (error) {
       this.failure = reason(error);
     }
   }
 
   /** Begins a new run. */
-  async start(change: Partial<Choice> = {}): Promise<void> {
+  async start(change: Partial<Choice> = {}, views = 0): Promise<void> {
     this.choice = { ...this.choice, ...change };
-    await this.ask(() => this.bench.start(this.choice));
+    await this.ask(() => this.bench.start(this.choice, views));
   }
 
   /** Runs the same thing from the beginning: a world with its route, a file as it is. */
@@ -111,6 +115,10 @@ export class Lab {
   next = (): void => void this.bench.next();
   jump = (position: number): void => void this.bench.jump(position);
   drag = (x: number, y: number): void => void this.bench.drag(x, y);
+  toggleTruth = (): void => {
+    this.truth = !this.truth;
+    void this.bench.showTruth(this.truth);
+  };
   fit = (): void => void this.bench.fit();
 
   setPace(pace: Pace): void {

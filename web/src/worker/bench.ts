@@ -18,6 +18,7 @@ export class Bench {
   private noticed = 0;
   private playing = true;
   private pace: Pace = 2;
+  private truth = false;
 
   /** Loads the engine and takes over the two canvases. */
   async begin(
@@ -31,12 +32,18 @@ export class Bench {
     return { choices: Laboratory.choices(), worlds: worlds.map(({ file, name }) => ({ file, name })) };
   }
 
-  /** Begins a run in one of the page's buildings, the robot on its way along the building's route. */
-  start(choice: Choice): void {
+  /**
+   * Begins a run in one of the page's buildings, the robot about to follow the building's route, or
+   * `views` views on its way already.
+   */
+  start(choice: Choice, views = 0): void {
     const world = worlds.find(({ file }) => file === choice.world);
     if (!world) throw new Error(`There is no world called ${choice.world}.`);
     const { robot, mapper, seed } = choice;
-    this.use(new Laboratory({ world: world.text, file: `${world.file}.world.json`, robot, mapper, seed }));
+    const file = `${world.file}.world.json`;
+    const laboratory = new Laboratory({ world: world.text, file, robot, mapper, seed });
+    for (let view = 0; view < views; view += 1) laboratory.advance_to_next_view();
+    this.use(laboratory);
     this.before?.free();
     this.before = undefined;
   }
@@ -122,6 +129,12 @@ export class Bench {
     this.paint();
   }
 
+  showTruth(truth: boolean): void {
+    this.truth = truth;
+    this.laboratory?.show_truth(truth);
+    this.refresh();
+  }
+
   drag(x: number, y: number): void {
     this.laboratory?.drag(x, y);
     this.refresh();
@@ -167,6 +180,7 @@ export class Bench {
   private use(laboratory: Laboratory): void {
     this.laboratory?.free();
     this.laboratory = laboratory;
+    laboratory.show_truth(this.truth);
     for (const view of ['left', 'right'] as const) {
       const { width, height } = this.easel.size(view);
       laboratory.resize(view, width, height);

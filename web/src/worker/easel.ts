@@ -3,8 +3,8 @@ import type { View } from './protocol';
 
 /** Painting may take this share of the time; the rest is the run's. */
 const PAINTING_SHARE = 0.4;
-/** Size of one view in a saved picture, and its density. */
-const PICTURE = { width: 900, height: 900, density: 2 };
+/** Side of one view in a saved picture, in pixels of which each is `density` pixels of the file. */
+const PICTURE = { side: 900, density: 2 };
 
 interface Sheet {
   canvas: OffscreenCanvas;
@@ -65,9 +65,9 @@ export class Easel {
 
   /** Both views with titles and legends, side by side. */
   async picture(laboratory: Laboratory): Promise<Blob> {
-    const { width, height, density } = PICTURE;
-    const canvas = new OffscreenCanvas(2 * width * density, height * density);
-    laboratory.picture(sheet(canvas).context, this.look, width, height, density);
+    const { side, density } = PICTURE;
+    const canvas = new OffscreenCanvas(2 * side * density, side * density);
+    laboratory.picture(sheet(canvas).context, this.look, side, density);
     return canvas.convertToBlob({ type: 'image/png' });
   }
 }
