@@ -12,5 +12,8 @@ mod architecture;
 // Whatever is wrong with a file or an argument, the message names the place and the way out.
 mod bad_input;
 
+// Pictures are compared byte by byte with those in `tests/goldens/`.
+mod goldens;
+
 // One session gives the same map natively, in Node and in a browser.
 mod same_bytes;

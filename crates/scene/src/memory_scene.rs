@@ -44,7 +44,8 @@ pub fn memory_scene(session: &Session, mapper: usize, options: MemoryOptions) ->
     let views = journal.reports.len();
     let mut scene = Scene { views: views.max(FEW_VIEWS), ..Scene::default() };
     (scene.title, scene.note) = words(session, name, mind, views);
-    scene.explain(Sample::Run, &format!("seen first in view 1 … {}", scene.views));
+    scene.explain(Sample::Run, &format!("first seen in view 1–{}", scene.views));
+    scene.explain(Sample::Robot(Role::BelievedRobot), "robot, where it believes it is");
     if options.truth {
         draw_truth(&mut scene, session, journal);
     }
@@ -59,7 +60,6 @@ pub fn memory_scene(session: &Session, mapper: usize, options: MemoryOptions) ->
     if let Some(robot) = robot {
         let shape = Shape::Robot(robot, robot_radius(session));
         scene.changing.push(Item::new(Role::BelievedRobot, shape));
-        scene.explain(Sample::Robot(Role::BelievedRobot), "where the robot believes it is");
     }
     scene
 }
@@ -131,8 +131,8 @@ fn draw_view(scene: &mut Scene, mind: &Mapper, report: &StepReport) {
             Item::new(Role::ReferenceSeen, Shape::Segments(vec![seen])),
             Item::new(Role::ReferenceSeen, Shape::Signs(vec![seen.a, seen.b])),
         ]);
-        scene.explain(Sample::Line(Role::ReferenceKnown), "reference as known");
-        scene.explain(Sample::Line(Role::ReferenceSeen), "and as seen now");
+        scene.explain(Sample::Line(Role::ReferenceKnown), "reference, known");
+        scene.explain(Sample::Line(Role::ReferenceSeen), "reference, seen");
     }
 }
 
@@ -152,8 +152,8 @@ fn draw_truth(scene: &mut Scene, session: &Session, journal: &MapperJournal) {
     scene.still.push(Item::new(Role::Truth, Shape::Segments(lines)));
     let robot = Shape::Robot(map_from_world * world_from_robot, robot_radius(session));
     scene.changing.push(Item::new(Role::Robot, robot));
+    scene.explain(Sample::Robot(Role::Robot), "where it is");
     scene.explain(Sample::Line(Role::Truth), "the world");
-    scene.explain(Sample::Robot(Role::Robot), "where the robot is");
 }
 
 #[cfg(test)]

@@ -95,6 +95,15 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// The same scene seen from another frame.
+    #[must_use]
+    pub fn seen_from(mut self, other_from_this: Pose) -> Self {
+        for item in self.still.iter_mut().chain(&mut self.changing) {
+            item.shape.carry(other_from_this);
+        }
+        self
+    }
+
     /// The smallest rectangle that holds everything but what the laser sees; `None` if that is nothing.
     #[must_use]
     pub fn bounds(&self) -> Option<Bounds> {
@@ -105,6 +114,17 @@ impl Scene {
 }
 
 impl Shape {
+    fn carry(&mut self, pose: Pose) {
+        match self {
+            Self::Segments(segments) => segments.iter_mut().for_each(|segment| *segment = pose * *segment),
+            Self::Polyline(points) | Self::Polygon(points) | Self::Signs(points) => {
+                points.iter_mut().for_each(|point| *point = pose * *point);
+            }
+            Self::Disc(at, _) | Self::Label { at, .. } => *at = pose * *at,
+            Self::Robot(robot, _) => *robot = pose * *robot,
+        }
+    }
+
     /// Points whose bounds are the shape's.
     fn extremes(&self) -> Vec<DVec2> {
         match self {

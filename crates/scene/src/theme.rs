@@ -100,7 +100,9 @@ impl Theme {
             }
             Role::WeakPlacement => Style::points(solid(palette.warning), Sign::Diamond(4.5)).hollow(palette),
             Role::FallbackPlacement => Style::points(solid(palette.warning), Sign::Triangle(4.5)),
-            Role::BelievedRobot => Style::area(solid(palette.room), Some((solid(palette.robot), 2.0))),
+            Role::BelievedRobot => {
+                Style::area(solid(palette.room).with_alpha(150), Some((solid(palette.robot), 2.0)))
+            }
         }
     }
 }
