@@ -1,11 +1,4 @@
-//! The laboratory as the page uses it; the same tests run in Node and in a browser.
-#![cfg(target_arch = "wasm32")]
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "in a test, a panic is how a broken promise shows"
-)]
+//! The laboratory as the page uses it.
 
 use cogmap_wasm::Laboratory;
 use js_sys::{Error, JSON, Reflect};
@@ -22,8 +15,8 @@ const CELL: &str = r#"{
     "routes": {"tour": [[2,2],[3.5,2.5]]}
 }"#;
 
-const SAME_SESSION: &str = include_str!("../../../tests/goldens/same-bytes.session.json");
-const SAME_BYTES: &str = include_str!("../../../tests/goldens/same-bytes.txt");
+const SAME_SESSION: &str = include_str!("../../../../tests/goldens/same-bytes.session.json");
+const SAME_BYTES: &str = include_str!("../../../../tests/goldens/same-bytes.txt");
 
 fn ts<T: Tsify>(json: &str) -> Ts<T> {
     Ts::new_unchecked(JSON::parse(json).unwrap())
