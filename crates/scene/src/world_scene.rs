@@ -123,21 +123,65 @@ fn swing(door: &Door) -> Vec<DVec2> {
 
 /// The area that a scan found free, and the points that it hit.
 fn laser(scan: &Scan, frame_from_robot: Pose) -> [Item; 2] {
-    const FARTHEST_DRAWN: f64 = 8.19;
     let frame_from_laser = frame_from_robot * scan.robot_from_laser;
-    let beams = 0..scan.ranges.len();
-    let hits: Vec<_> = beams.clone().filter_map(|beam| Some(frame_from_laser * scan.point(beam)?)).collect();
-    let ends = beams.map(|beam| {
-        let free = scan.range(beam).unwrap_or_else(|| scan.range_max.min(FARTHEST_DRAWN));
-        let (sin, cos) = trig::sin_cos(scan.bearing(beam));
-        frame_from_laser * (DVec2::new(cos, sin) * free)
-    });
-    let fan = core::iter::once(frame_from_laser.position).chain(ends).collect();
-    [Item::new(Role::LaserFan, Shape::Polygon(fan)), Item::new(Role::LaserHit, Shape::Signs(hits))]
+    let carried = |points: Vec<DVec2>| points.into_iter().map(|point| frame_from_laser * point).collect();
+    let hits = (0..scan.ranges.len()).filter_map(|beam| scan.point(beam)).collect();
+    let fan = Shape::Polygon(carried(fan(scan)));
+    [Item::new(Role::LaserFan, fan), Item::new(Role::LaserHit, Shape::Signs(carried(hits)))]
+}
+
+/// The outline of what a scan saw, in the laser's frame. A few lost beams make no gap in it; where
+/// more in a row saw nothing it leads back to the laser.
+fn fan(scan: &Scan) -> Vec<DVec2> {
+    const LOST: usize = 8;
+    let mut outline = vec![DVec2::ZERO];
+    let mut missing = 0;
+    for beam in 0..scan.ranges.len() {
+        if let Some(point) = scan.point(beam) {
+            if missing > LOST {
+                outline.push(DVec2::ZERO);
+            }
+            outline.push(point);
+            missing = 0;
+        } else {
+            missing += 1;
+        }
+    }
+    outline
 }
 
 impl Scene {
     pub(crate) fn explain(&mut self, sample: Sample, text: &str) {
         self.legend.push(LegendEntry::new(sample, text));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scan(ranges: Vec<f64>) -> Scan {
+        let angle_increment = trig::PI / 180.0;
+        Scan { robot_from_laser: Pose::IDENTITY, angle_min: 0.0, angle_increment, range_max: 8.0, ranges }
+    }
+
+    #[test]
+    fn the_fan_reaches_no_farther_than_the_laser_saw() {
+        let mut ranges = vec![2.0; 60];
+        ranges[5..8].fill(f64::INFINITY);
+        ranges[20..40].fill(f64::NAN);
+        let outline = fan(&scan(ranges));
+        assert!(outline.iter().all(|point| point.length() < 2.0 + 1e-12));
+        assert_eq!(outline.iter().filter(|point| **point == DVec2::ZERO).count(), 2, "the start and one gap");
+        assert_eq!(outline.len(), 2 + 60 - 3 - 20);
+    }
+
+    #[test]
+    fn only_an_open_door_swings() {
+        let door = Door { name: "d".into(), hinge: [1.0, 1.0], latch: [2.0, 1.0], open: true };
+        let way = swing(&door);
+        let [first, .., last] = way.as_slice() else { panic!("{way:?}") };
+        assert!(first.distance(door.latch.into()) < 1e-12 && last.distance(door.leaf().b) < 1e-12);
+        assert!(swing(&Door { open: false, ..door }).is_empty());
     }
 }
