@@ -43,7 +43,7 @@ impl Laboratory {
     /// # Errors
     /// What is wrong with the set-up or with the world file, and where.
     #[wasm_bindgen(constructor)]
-    pub fn new(setup: Ts<Setup>) -> Result<Self, JsError> {
+    pub fn new(setup: &Ts<Setup>) -> Result<Self, JsError> {
         console_error_panic_hook::set_once();
         Ok(Self::of(opening::start(&setup.to_rust()?)?))
     }
@@ -53,7 +53,8 @@ impl Laboratory {
     ///
     /// # Errors
     /// What is wrong with the file, and where.
-    pub fn open(opening: Ts<Opening>, bytes: &[u8], other: Option<Vec<u8>>) -> Result<Self, JsError> {
+    #[allow(clippy::needless_pass_by_value, reason = "an optional array can cross in no other form")]
+    pub fn open(opening: &Ts<Opening>, bytes: &[u8], other: Option<Vec<u8>>) -> Result<Self, JsError> {
         console_error_panic_hook::set_once();
         Ok(Self::of(opening::open(&opening.to_rust()?, bytes, other.as_deref())?))
     }
@@ -97,7 +98,7 @@ impl Laboratory {
     ///
     /// # Errors
     /// What is no order.
-    pub fn order(&mut self, order: Ts<Order>) -> Result<(), JsError> {
+    pub fn order(&mut self, order: &Ts<Order>) -> Result<(), JsError> {
         self.run.order(order.to_rust()?);
         Ok(())
     }
@@ -116,7 +117,7 @@ impl Laboratory {
     ///
     /// # Errors
     /// What is no view.
-    pub fn resize(&mut self, view: Ts<View>, width: f64, height: f64) -> Result<(), JsError> {
+    pub fn resize(&mut self, view: &Ts<View>, width: f64, height: f64) -> Result<(), JsError> {
         self.views.resize(view.to_rust()?, DVec2::new(width, height));
         Ok(())
     }
@@ -133,7 +134,7 @@ impl Laboratory {
     pub fn zoom(
         &mut self,
         factor: f64,
-        view: Ts<View>,
+        view: &Ts<View>,
         x: Option<f64>,
         y: Option<f64>,
     ) -> Result<(), JsError> {
@@ -170,9 +171,9 @@ impl Laboratory {
     /// What is no view or no look, and what the browser has against painting.
     pub fn paint(
         &mut self,
-        view: Ts<View>,
+        view: &Ts<View>,
         context: &OffscreenCanvasRenderingContext2d,
-        look: Ts<Look>,
+        look: &Ts<Look>,
         density: f64,
     ) -> Result<(), JsError> {
         let (view, look) = (view.to_rust()?, look.to_rust()?);
@@ -197,7 +198,7 @@ impl Laboratory {
     pub fn picture(
         &self,
         context: &OffscreenCanvasRenderingContext2d,
-        look: Ts<Look>,
+        look: &Ts<Look>,
         side: f64,
         density: f64,
     ) -> Result<(), JsError> {

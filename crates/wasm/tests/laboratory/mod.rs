@@ -26,12 +26,12 @@ fn begin(world: &str, robot: &str) -> Result<Laboratory, JsError> {
     let setup = format!(r#"{{"file":"cell.world.json","robot":"{robot}","mapper":"perceptual","seed":1}}"#);
     let setup = JSON::parse(&setup).unwrap();
     Reflect::set(&setup, &"world".into(), &world.into()).unwrap();
-    Laboratory::new(Ts::new_unchecked(setup))
+    Laboratory::new(&Ts::new_unchecked(setup))
 }
 
 fn open(name: &str, bytes: &[u8], other: Option<Vec<u8>>) -> Result<Laboratory, JsError> {
     let opening = format!(r#"{{"name":"{name}","robot":"bad","mapper":"perceptual","seed":1}}"#);
-    Laboratory::open(ts(&opening), bytes, other)
+    Laboratory::open(&ts(&opening), bytes, other)
 }
 
 /// What the status says under a key.
@@ -87,13 +87,13 @@ fn a_run_follows_its_route_and_then_waits() {
 #[wasm_bindgen_test]
 fn an_order_ends_the_route_and_is_obeyed() {
     let mut laboratory = begin(CELL, "perfect").ok().unwrap();
-    laboratory.order(ts(r#"{"kind":"nudge","ahead":0,"left":1}"#)).ok().unwrap();
+    laboratory.order(&ts(r#"{"kind":"nudge","ahead":0,"left":1}"#)).ok().unwrap();
     assert_eq!(told(&laboratory, "on_route"), JsValue::FALSE);
     until_idle(&mut laboratory);
     let way = number(&laboratory, "travelled");
     assert!(way < 0.1, "turning is not travelling: {way}");
     assert!(number(&laboratory, "time") > 0.0);
-    assert!(message(laboratory.order(ts(r#"{"kind":"fly"}"#))).contains("fly"));
+    assert!(message(laboratory.order(&ts(r#"{"kind":"fly"}"#))).contains("fly"));
 }
 
 #[wasm_bindgen_test]
@@ -149,11 +149,11 @@ fn what_cannot_be_opened_gets_an_answer() {
 #[wasm_bindgen_test]
 fn a_page_can_look_anywhere() {
     let mut laboratory = begin(CELL, "bad").ok().unwrap();
-    laboratory.resize(ts(r#""left""#), 640.0, 480.0).ok().unwrap();
-    laboratory.resize(ts(r#""right""#), f64::NAN, -3.0).ok().unwrap();
+    laboratory.resize(&ts(r#""left""#), 640.0, 480.0).ok().unwrap();
+    laboratory.resize(&ts(r#""right""#), f64::NAN, -3.0).ok().unwrap();
     laboratory.drag(f64::INFINITY, 3.0);
-    laboratory.zoom(0.0, ts(r#""left""#), None, None).ok().unwrap();
-    laboratory.zoom(1e300, ts(r#""right""#), Some(1.0), Some(f64::NAN)).ok().unwrap();
+    laboratory.zoom(0.0, &ts(r#""left""#), None, None).ok().unwrap();
+    laboratory.zoom(1e300, &ts(r#""right""#), Some(1.0), Some(f64::NAN)).ok().unwrap();
     laboratory.fit();
     assert!(laboratory.reach(320.0, 100.0));
     assert!(!laboratory.reach(f64::NAN, 100.0));
