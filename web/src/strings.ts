@@ -11,8 +11,6 @@ export const strings = {
     robot: 'Robot',
     mapper: 'Mapper',
     seed: 'Seed',
-    ownWorld: (name: string) => `${name} (from a file)`,
-    log: (name: string) => `${name} (a recorded log)`,
   },
 
   files: {
@@ -42,7 +40,7 @@ export const strings = {
       'The map in the robot’s memory: every surface drawn where it was placed when it was first seen, coloured by the view that first saw it.',
   },
   rival: {
-    title: (mapper: string) => `The same log, mapper ${mapper}`,
+    title: (mapper: string) => `The same log by ${mapper}`,
     subtitle: 'for comparison',
     picture: 'What another mapper makes of the same recorded log.',
   },

@@ -76,24 +76,24 @@ fn map_log(opening: &Opening, bytes: &[u8]) -> Result<Run, Failure> {
         odometry_noise: 0.0,
     };
     let record = SessionRecord::new(source, mappers, opening.seed);
-    replay(record, bytes, &opening.name)
+    replay(record, bytes, label(&opening.name, true))
 }
 
-fn replay(record: SessionRecord, bytes: &[u8], name: &str) -> Result<Run, Failure> {
-    let recording = carmen::read(bytes, name, false)?.recording.varied(&record);
-    Ok(Run::new(Session::replay(record, recording), label(name, true), None))
+fn replay(record: SessionRecord, bytes: &[u8], label: Label) -> Result<Run, Failure> {
+    let recording = carmen::read(bytes, &label.name, false)?.recording.varied(&record);
+    Ok(Run::new(Session::replay(record, recording), label, None))
 }
 
 fn reopen(written: &str, name: &str, other: Option<&[u8]>) -> Result<Run, Failure> {
     let record = session::read(written, name)?.record;
     let Source::Log { path, sha256, .. } = &record.source else {
-        let label = Label { name: world_name(&record), ..label(name, true) };
+        let label = Label { name: world_name(&record), settled: true, ..label(name, true) };
         return Ok(Run::new(Session::drive(record)?, label, None));
     };
     match other {
         Some(log) if sha256_hex(log) == *sha256 => {
-            let path = path.clone();
-            replay(record, log, &path)
+            let label = Label { settled: true, ..label(path, true) };
+            replay(record, log, label)
         }
         Some(_) => {
             Err(Failure::new(&format!("{name}: made from another log than the one beside it; bring {path}")))
@@ -130,7 +130,7 @@ fn unknown(what: &str, name: &str, known: &[&str]) -> Failure {
 fn label(file: &str, foreign: bool) -> Label {
     let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
     let stem = name.split('.').find(|part| !part.is_empty()).unwrap_or("run");
-    Label { name: name.to_owned(), stem: stem.to_owned(), foreign }
+    Label { name: name.to_owned(), stem: stem.to_owned(), foreign, settled: false }
 }
 
 #[cfg(test)]

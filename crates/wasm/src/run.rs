@@ -1,6 +1,6 @@
 use cogmap_geometry::{DVec2, Pose, normalize_angle};
 use cogmap_mapping::{Event, Placement, StepReport};
-use cogmap_simulation::{Command, Driver, MapperJournal, Session, Source, Stamped};
+use cogmap_simulation::{Command, Driver, MapperJournal, Robot, Session, Source, Stamped};
 
 use crate::{
     order::{Order, step_to},
@@ -20,6 +20,8 @@ pub(crate) struct Label {
     pub(crate) stem: String,
     /// Whether it came from a file that somebody brought.
     pub(crate) foreign: bool,
+    /// Whether that file says with what it runs.
+    pub(crate) settled: bool,
 }
 
 /// A session, and whoever drives it: the route's driver, the record, or a person.
@@ -95,9 +97,16 @@ impl Run {
 
     /// Tells the robot what to do; a log's robot cannot be told anything.
     pub(crate) fn order(&mut self, order: Order) {
-        if let Source::World { robot, .. } = &self.session.record().source {
-            let command = order.command(&robot.body);
+        if let Some(command) = self.robot().map(|robot| order.command(&robot.body)) {
             self.tell(command);
+        }
+    }
+
+    /// The robot that is driven; a log's robot is not known.
+    fn robot(&self) -> Option<&Robot> {
+        match &self.session.record().source {
+            Source::World { robot, .. } => Some(robot),
+            Source::Log { .. } => None,
         }
     }
 
@@ -130,8 +139,11 @@ impl Run {
         Status {
             source: if truth_known { SourceKind::World } else { SourceKind::Log },
             foreign: self.label.foreign,
+            settled: self.label.settled,
             name: self.label.name.clone(),
             stem: self.label.stem.clone(),
+            robot: self.robot().map(|robot| robot.name.clone()),
+            seed: session.record().seed,
             mapper: names.first().cloned().unwrap_or_default(),
             rival: if truth_known { None } else { names.get(1).cloned() },
             position: session.position(),

@@ -8,10 +8,16 @@ pub struct Status {
     pub source: SourceKind,
     /// Whether it came from a file that somebody brought.
     pub foreign: bool,
+    /// Whether the file itself says with what it runs, as a session does.
+    pub settled: bool,
     /// The name of the world or of the log.
     pub name: String,
     /// What files saved from this run are called, without extension.
     pub stem: String,
+    /// The robot; a log does not name its own.
+    pub robot: Option<String>,
+    /// Everything random came from it.
+    pub seed: u64,
     /// The mapper whose memory is shown.
     pub mapper: String,
     /// The mapper that is shown beside it, where there is no truth to show.

@@ -67,6 +67,13 @@ export class Lab {
     await this.ask(() => this.bench.start(this.choice, views));
   }
 
+  /** Runs the same world or file with another set-up. */
+  async change(change: Partial<Choice>): Promise<void> {
+    if (!this.status?.foreign) return this.start(change);
+    this.choice = { ...this.choice, ...change };
+    return this.ask(() => this.bench.reopen(this.choice));
+  }
+
   /** Runs the same thing from the beginning: a world with its route, a file as it is. */
   async restart(): Promise<void> {
     if (!this.status?.foreign) await this.start();

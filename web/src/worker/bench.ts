@@ -1,4 +1,4 @@
-import init, { Laboratory, type Look, type Order } from '../wasm/cogmap_wasm';
+import init, { Laboratory, type Look, type Order, type SourceKind } from '../wasm/cogmap_wasm';
 import { Clock } from './clock';
 import { Easel } from './easel';
 import type { Brought, Choice, Notice, Offer, Pace, Saved, View } from './protocol';
@@ -12,12 +12,16 @@ export class Bench {
   private laboratory: Laboratory | undefined;
   /** The run to go back to when mapping a log is cancelled. */
   private before: Laboratory | undefined;
+  /** The files that were opened last. */
+  private brought: Brought[] = [];
   private readonly easel = new Easel();
   private readonly clock = new Clock((elapsed, now) => this.turn(elapsed, now));
   private listen: (notice: Notice) => void = () => undefined;
   private noticed = 0;
   private playing = true;
-  private pace: Pace = 2;
+  /** Drives are watched, logs are mapped as fast as it goes, until somebody wants it otherwise. */
+  private readonly paces: Record<SourceKind, Pace> = { world: 2, log: 'full' };
+  private source: SourceKind = 'world';
   private truth = false;
 
   /** Loads the engine and takes over the two canvases. */
@@ -50,16 +54,13 @@ export class Bench {
 
   /** Opens what somebody brought; the run at hand stays if it cannot be read. */
   open(files: Brought[], choice: Choice): void {
-    const [first, second] = files;
-    if (!first) return;
-    const { robot, mapper, seed } = choice;
-    const opened = Laboratory.open({ name: first.name, robot, mapper, seed }, first.bytes, second?.bytes);
-    const left = this.laboratory;
-    this.laboratory = undefined;
-    this.use(opened);
-    if (left && !this.before) this.before = left;
-    else left?.free();
-    if (opened.status().source === 'log') this.pace = 'full';
+    this.read(files, choice);
+    this.brought = files;
+  }
+
+  /** Opens the same files with another set-up. */
+  reopen(choice: Choice): void {
+    this.read(this.brought, choice);
   }
 
   /** Goes back to the run before the log. */
@@ -94,7 +95,7 @@ export class Bench {
   }
 
   setPace(pace: Pace): void {
-    this.pace = pace;
+    this.paces[this.source] = pace;
     this.refresh();
   }
 
@@ -177,10 +178,22 @@ export class Bench {
     return this.laboratory;
   }
 
+  private read([first, second]: Brought[], choice: Choice): void {
+    if (!first) return;
+    const { robot, mapper, seed } = choice;
+    const opened = Laboratory.open({ name: first.name, robot, mapper, seed }, first.bytes, second?.bytes);
+    const left = this.laboratory;
+    this.laboratory = undefined;
+    this.use(opened);
+    if (left && !this.before) this.before = left;
+    else left?.free();
+  }
+
   private use(laboratory: Laboratory): void {
     this.laboratory?.free();
     this.laboratory = laboratory;
     laboratory.show_truth(this.truth);
+    this.source = laboratory.status().source;
     for (const view of ['left', 'right'] as const) {
       const { width, height } = this.easel.size(view);
       laboratory.resize(view, width, height);
@@ -192,11 +205,11 @@ export class Bench {
   private turn(elapsed: number, now: number): boolean {
     const laboratory = this.laboratory;
     if (!laboratory) return false;
-    const moved = this.playing && this.clock.pass(laboratory, elapsed, this.pace);
+    const moved = this.playing && this.clock.pass(laboratory, elapsed, this.paces[this.source]);
     if (moved) this.easel.stale = true;
     const painted = this.easel.paint(laboratory, now);
     const ended = this.playing && !moved && laboratory.idle;
-    if (ended && laboratory.status().source === 'log') this.playing = false;
+    if (ended && this.source === 'log') this.playing = false;
     if (!this.playing || ended || now - this.noticed > NOTICE_INTERVAL) this.notify(now);
     return (this.playing && !ended) || !painted;
   }
@@ -213,7 +226,8 @@ export class Bench {
   private notify(now: number): void {
     if (!this.laboratory) return;
     this.noticed = now;
-    this.listen({ status: this.laboratory.status(), playing: this.playing, pace: this.pace });
+    const status = this.laboratory.status();
+    this.listen({ status, playing: this.playing, pace: this.paces[status.source] });
   }
 }
 
