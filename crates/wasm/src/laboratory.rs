@@ -1,6 +1,6 @@
 use cogmap_formats::{run::map, session};
 use cogmap_geometry::DVec2;
-use cogmap_scene::{MemoryOptions, Sheet};
+use cogmap_scene::{Bounds, MemoryOptions, Scene, Sheet};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::{JsError, prelude::wasm_bindgen};
 use web_sys::OffscreenCanvasRenderingContext2d;
@@ -202,11 +202,15 @@ impl Laboratory {
         side: f64,
         density: f64,
     ) -> Result<(), JsError> {
+        let scenes = [View::Left, View::Right].map(|view| scene(self.run.session(), view, self.shown));
+        let bounds = scenes.iter().filter_map(Scene::bounds).reduce(Bounds::union);
         let sheet = Sheet::new(side, side, look.to_rust()?.into());
-        for (view, x) in [(View::Left, 0.0), (View::Right, side)] {
+        // Both at one scale: the view with the longer legend, the memory, has less room.
+        let camera = bounds.map(|bounds| sheet.fit(&scenes[1], bounds));
+        let sheet = Sheet { camera, ..sheet };
+        for (scene, x) in scenes.iter().zip([0.0, side]) {
             let place = Place { corner: DVec2::new(x, 0.0), density };
-            let scene = scene(self.run.session(), view, self.shown);
-            Canvas::default().paint(context, &scene, &sheet, place).map_err(Failure::from)?;
+            Canvas::default().paint(context, scene, &sheet, place).map_err(Failure::from)?;
         }
         Ok(())
     }
