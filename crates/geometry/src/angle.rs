@@ -8,8 +8,10 @@ use crate::trig::{FRAC_PI_2, PI, TAU};
 /// ```
 #[must_use]
 pub fn normalize_angle(angle: f64) -> f64 {
-    let turns = libm::floor((PI - angle) / TAU);
-    angle + turns * TAU
+    if -PI < angle && angle <= PI {
+        return angle;
+    }
+    angle + ((PI - angle) / TAU).floor() * TAU
 }
 
 /// How far the undirected lines with headings `a` and `b` are turned against

@@ -14,7 +14,7 @@
 //! use cogmap_geometry::Pose;
 //! use cogmap_mapping::{Mapper, MapperSetup, perception::{Moment, Reading, Scan}};
 //!
-//! let mut mapper = Mapper::new(&MapperSetup::named("perceptual").unwrap());
+//! let mut mapper = Mapper::new(&MapperSetup::named("perceptual").unwrap(), 1);
 //! let wall_ahead = (0..181).map(|beam| {
 //!     let bearing = f64::from(beam - 90).to_radians();
 //!     2.0 / cogmap_geometry::trig::cos(bearing).max(1e-9)
@@ -44,4 +44,4 @@ pub mod traditional;
 
 pub use cadence::Cadence;
 pub use mapper::{Mapper, MapperSetup, PathPoint};
-pub use report::{Event, Placement, StepReport};
+pub use report::{Event, Placement, Recalled, StepReport};

@@ -4,10 +4,10 @@ use cogmap_geometry::Pose;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    memory::{Memory, Mfis, Perceptual, PerceptualParams},
+    memory::{Consensus, ConsensusParams, FrameId, Memory, Mfis, Perceptual, PerceptualParams},
     perception::Reading,
     report::StepReport,
-    traditional::{Odometry, OdometryParams},
+    traditional::{Odometry, OdometryParams, Transform, TransformParams},
 };
 
 /// Which mapper, with every parameter that it uses.
@@ -16,19 +16,25 @@ use crate::{
 pub enum MapperSetup {
     /// Yeap's perceptual mapping as the thesis programs it (§3.2.1), to the letter.
     Perceptual(PerceptualParams),
+    /// Ours: all recognised surfaces together say where the robot is.
+    Consensus(Box<ConsensusParams>),
+    /// The traditional algorithm: views put together by a corrected movement (§3.1).
+    Transform(TransformParams),
     /// Views put together by odometry alone (§3.1.2 without §3.1.3's correction).
     Odometry(OdometryParams),
 }
 
 impl MapperSetup {
     /// The names that [`MapperSetup::named`] knows.
-    pub const NAMES: [&'static str; 2] = ["perceptual", "odometry"];
+    pub const NAMES: [&'static str; 4] = ["perceptual", "consensus", "transform", "odometry"];
 
     /// The mapper of that name with its default parameters.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         match name {
             "perceptual" => Some(Self::Perceptual(PerceptualParams::default())),
+            "consensus" => Some(Self::Consensus(Box::default())),
+            "transform" => Some(Self::Transform(TransformParams::default())),
             "odometry" => Some(Self::Odometry(OdometryParams::default())),
             _ => None,
         }
@@ -39,6 +45,8 @@ impl MapperSetup {
     pub fn name(&self) -> &'static str {
         match self {
             Self::Perceptual(_) => "perceptual",
+            Self::Consensus(_) => "consensus",
+            Self::Transform(_) => "transform",
             Self::Odometry(_) => "odometry",
         }
     }
@@ -51,25 +59,33 @@ pub struct PathPoint {
     pub step: usize,
     /// Seconds.
     pub t: f64,
-    /// In the mapper's map.
-    pub map_from_robot: Pose,
+    /// The local frame that the robot was in.
+    pub frame: FrameId,
+    /// Where it was in that frame.
+    pub frame_from_robot: Pose,
 }
 
 /// A mapper at work: the one way in is [`Mapper::observe`].
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug)]
 pub enum Mapper {
     /// §3.2.1.
     Perceptual(Perceptual),
+    /// Ours.
+    Consensus(Box<Consensus>),
+    /// §3.1.3.
+    Transform(Transform),
     /// §3.1.2.
     Odometry(Odometry),
 }
 
 impl Mapper {
-    /// A mapper with an empty memory.
+    /// A mapper with an empty memory; what is random in it comes from `seed`.
     #[must_use]
-    pub fn new(setup: &MapperSetup) -> Self {
+    pub fn new(setup: &MapperSetup, seed: u64) -> Self {
         match setup {
             MapperSetup::Perceptual(params) => Self::Perceptual(Perceptual::new(params)),
+            MapperSetup::Consensus(params) => Self::Consensus(Box::new(Consensus::new(params))),
+            MapperSetup::Transform(params) => Self::Transform(Transform::new(params, seed)),
             MapperSetup::Odometry(params) => Self::Odometry(Odometry::new(params)),
         }
     }
@@ -79,6 +95,8 @@ impl Mapper {
     pub fn observe(&mut self, reading: &Reading) -> Option<StepReport> {
         match self {
             Self::Perceptual(mapper) => mapper.observe(reading),
+            Self::Consensus(mapper) => Some(mapper.observe(reading)),
+            Self::Transform(mapper) => mapper.observe(reading),
             Self::Odometry(mapper) => mapper.observe(reading),
         }
     }
@@ -88,6 +106,8 @@ impl Mapper {
     pub fn memory(&self) -> &Memory {
         match self {
             Self::Perceptual(mapper) => mapper.memory(),
+            Self::Consensus(mapper) => mapper.memory(),
+            Self::Transform(mapper) => mapper.memory(),
             Self::Odometry(mapper) => mapper.memory(),
         }
     }
@@ -109,6 +129,6 @@ impl Mapper {
     #[must_use]
     pub fn map_from_robot(&self, odom_from_robot: Pose) -> Option<Pose> {
         let last = self.memory().path().last()?;
-        Some(last.map_from_robot * self.memory().moved_to(odom_from_robot)?)
+        Some(self.mfis().place_of(last) * self.memory().moved_to(odom_from_robot)?)
     }
 }

@@ -4,8 +4,9 @@ use cogmap_geometry::Pose;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    memory::{Along, Match, Reference, SurfaceId},
+    memory::{Along, FrameId, Match, Reference, SurfaceId},
     perception::View,
+    traditional::Correction,
 };
 
 /// What a mapper did with one reading, in the order of §3.2.1's steps.
@@ -25,6 +26,10 @@ pub struct StepReport {
     pub placed: Vec<SurfaceId>,
     /// What placed them.
     pub placement: Placement,
+    /// The place that the robot found itself back in.
+    pub recalled: Option<Recalled>,
+    /// How the traditional mapper corrected the measured movement.
+    pub correction: Option<Correction>,
     /// Where the robot is in its map.
     pub map_from_robot: Pose,
 }
@@ -39,8 +44,25 @@ pub enum Placement {
     Reference,
     /// A reference whose place along its own line no true end determined (the flaw of Fig. 3.17).
     WeakReference,
+    /// All recognised surfaces together.
+    Consensus,
+    /// The same, and odometry along directions that none of them determined.
+    PartlyOdometry,
+    /// The measured movement, corrected until the views fitted (§3.1.3).
+    Transform,
     /// Odometry, because nothing was recognised (§3.2.3, the corridor), or because the mapper knows no better.
     Odometry,
+}
+
+/// A place known before that was found again: the robot goes on in its coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Recalled {
+    /// The old place.
+    pub frame: FrameId,
+    /// The place whose coordinates the robot leaves.
+    pub left: FrameId,
+    /// Metres that the robot followed the guess before it believed it.
+    pub way: f64,
 }
 
 /// Something worth a line in `events.jsonl` and a mark on the timeline.
@@ -74,6 +96,15 @@ pub enum Event {
         /// One sentence for people.
         why: String,
     },
+    /// Odometry decided along a direction that no recognised surface determined.
+    OdometryUsed {
+        /// How many surfaces were recognised.
+        matches: usize,
+        /// One sentence for people.
+        why: String,
+    },
+    /// The robot found itself back in a place that it knew.
+    Recognised(Recalled),
     /// The robot drove into something while it was moving.
     Collision {
         /// Where, in the world.
@@ -82,6 +113,14 @@ pub enum Event {
 }
 
 impl StepReport {
+    /// A report of a view in which nothing was recognised and nothing placed.
+    #[must_use]
+    pub fn new((step, t): (usize, f64), view: View, placement: Placement, map_from_robot: Pose) -> Self {
+        let (matches, references, placed) = (Vec::new(), Vec::new(), Vec::new());
+        let (recalled, correction) = (None, None);
+        Self { step, t, view, matches, references, placed, placement, recalled, correction, map_from_robot }
+    }
+
     /// What the step amounts to in the event log, in the order of §3.2.1's steps.
     #[must_use]
     pub fn events(&self) -> Vec<Event> {
@@ -98,6 +137,7 @@ impl StepReport {
         if !self.placed.is_empty() {
             events.push(Event::Placed { surfaces: self.placed.clone() });
         }
+        events.extend(self.recalled.map(Event::Recognised));
         events
     }
 

@@ -19,6 +19,15 @@ pub struct Matching {
     pub angle_floor: f64,
 }
 
+impl Matching {
+    /// The error of a pair that only just counts as one.
+    #[must_use]
+    pub fn error_at_gates(&self) -> f64 {
+        let end = self.distance + self.distance_floor;
+        end * end * (self.angle + self.angle_floor)
+    }
+}
+
 impl Default for Matching {
     fn default() -> Self {
         Self { distance: 0.5, angle: 15.0 * trig::PI / 180.0, distance_floor: 0.05, angle_floor: 0.02 }
@@ -43,8 +52,8 @@ pub struct PairError {
 pub struct Match {
     /// Which surface of the current view.
     pub seen: usize,
-    /// Which surface of the previous view.
-    pub previous: usize,
+    /// Which surface of the previous view; `None` where the view was compared with the map itself.
+    pub previous: Option<usize>,
     /// The surface of the map that it is, by descent from its first sighting.
     pub known: SurfaceId,
     /// How well the two sightings fit under the rough movement.
@@ -93,7 +102,7 @@ pub fn match_views(
         for (index, known) in projected.iter().enumerate() {
             let fit = pair_error(surface, known, params);
             if fit.d1 <= params.distance && fit.d2 <= params.distance && fit.phi <= params.angle {
-                pairs.push(Match { seen, previous: index, known: previous[index].known, fit });
+                pairs.push(Match { seen, previous: Some(index), known: previous[index].known, fit });
             }
         }
     }
@@ -107,10 +116,11 @@ fn best_partners(mut pairs: Vec<Match>, current: usize, previous: usize) -> Vec<
     });
     let (mut seen_taken, mut previous_taken) = (vec![false; current], vec![false; previous]);
     pairs.retain(|pair| {
-        let free = !seen_taken[pair.seen] && !previous_taken[pair.previous];
+        let Some(previous) = pair.previous else { return false };
+        let free = !seen_taken[pair.seen] && !previous_taken[previous];
         if free {
             seen_taken[pair.seen] = true;
-            previous_taken[pair.previous] = true;
+            previous_taken[previous] = true;
         }
         free
     });
@@ -184,6 +194,6 @@ mod tests {
         let matches =
             match_views(&[true_wall(2.18, -1.0, 2.18, 1.0)], &tracked, Pose::IDENTITY, &Matching::default());
         assert_eq!(matches.len(), 1);
-        assert_eq!(matches[0].previous, 1);
+        assert_eq!(matches[0].previous, Some(1));
     }
 }

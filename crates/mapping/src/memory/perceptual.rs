@@ -62,7 +62,8 @@ impl Perceptual {
         // Step 4, the whole first view, and step 7, later whatever is new.
         let placed = self.memory.store_new(&view, &matches, map_from_robot);
         let step = self.memory.remember_view(t, map_from_robot, odom_from_robot);
-        StepReport { step, t, view, matches, references, placed, placement, map_from_robot }
+        let report = StepReport::new((step, t), view, placement, map_from_robot);
+        StepReport { matches, references, placed, ..report }
     }
 
     /// Where the view lies in the map: by its reference target; by odometry where there is none
@@ -73,7 +74,7 @@ impl Perceptual {
                 (Placement::WeakReference, reference.map_from_robot)
             }
             (Some(reference), _, _) => (Placement::Reference, reference.map_from_robot),
-            (None, Some(moved), Some(last)) => (Placement::Odometry, last.map_from_robot * moved),
+            (None, Some(moved), Some(last)) => (Placement::Odometry, last.frame_from_robot * moved),
             _ => (Placement::First, Pose::IDENTITY),
         }
     }

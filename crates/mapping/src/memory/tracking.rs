@@ -1,7 +1,7 @@
 use cogmap_geometry::Pose;
 use serde::{Deserialize, Serialize};
 
-use super::{Match, Matching, Mfis, NewSurface, SurfaceId, match_views};
+use super::{FrameId, Link, Match, Matching, Mfis, Sighting, SurfaceId, match_views};
 use crate::{
     PathPoint,
     perception::{Surface, View},
@@ -55,6 +55,19 @@ impl Memory {
         moved.map_or(Vec::new(), |moved| match_views(&view.surfaces, &self.previous, moved, params))
     }
 
+    /// The previous view's surfaces as they are stored, seen from where the robot was then.
+    pub(crate) fn previous_as_stored(&self) -> Vec<Tracked> {
+        let Some(last) = self.path.last() else { return Vec::new() };
+        let robot_from_map = self.mfis.place_of(last).inverse();
+        let as_stored = |tracked: &Tracked| {
+            let stored = self.mfis.get(tracked.known)?;
+            let surface =
+                Surface { segment: robot_from_map * self.mfis.in_map(stored), ..tracked.surface.clone() };
+            Some(Tracked { surface, known: tracked.known })
+        };
+        self.previous.iter().filter_map(as_stored).collect()
+    }
+
     /// Stores what was not recognised; a new sighting of a known surface is ignored (§3.2.1, the
     /// stable world).
     pub(crate) fn store_new(
@@ -72,8 +85,8 @@ impl Memory {
         let mut tracked = Vec::with_capacity(view.surfaces.len());
         for (index_in_view, (surface, known)) in view.surfaces.iter().zip(known_as).enumerate() {
             let known = known.unwrap_or_else(|| {
-                let segment = map_from_robot * surface.segment;
-                let id = self.mfis.store(&NewSurface { segment, ends: surface.ends, step, index_in_view });
+                let sighting = Sighting { frame: FrameId::default(), step, index_in_view };
+                let id = self.mfis.store(surface, map_from_robot, sighting);
                 placed.push(id);
                 id
             });
@@ -83,11 +96,41 @@ impl Memory {
         placed
     }
 
-    /// Closes the step and numbers it.
+    /// Closes the step in the map's own frame and numbers it.
     pub(crate) fn remember_view(&mut self, t: f64, map_from_robot: Pose, odom_from_robot: Pose) -> usize {
+        self.remember(t, (FrameId::default(), map_from_robot), odom_from_robot)
+    }
+
+    /// Closes the step and numbers it.
+    pub(crate) fn remember(
+        &mut self,
+        t: f64,
+        (frame, frame_from_robot): (FrameId, Pose),
+        odom_from_robot: Pose,
+    ) -> usize {
         let step = self.path.len();
-        self.path.push(PathPoint { step, t, map_from_robot });
+        self.path.push(PathPoint { step, t, frame, frame_from_robot });
         self.odom_from_last = Some(odom_from_robot);
         step
+    }
+
+    /// Stores one surface.
+    pub(crate) fn store(
+        &mut self,
+        surface: &Surface,
+        frame_from_robot: Pose,
+        sighting: Sighting,
+    ) -> SurfaceId {
+        self.mfis.store(surface, frame_from_robot, sighting)
+    }
+
+    /// Opens a frame that lies so in the map.
+    pub(crate) fn open_frame(&mut self, map_from_frame: Pose) -> FrameId {
+        self.mfis.open_frame(map_from_frame)
+    }
+
+    /// Notes how two frames lie to each other.
+    pub(crate) fn link(&mut self, link: Link) {
+        self.mfis.link(link);
     }
 }

@@ -48,12 +48,12 @@ impl Odometry {
         let moved = self.memory.moved_to(odom_from_robot);
         let matches = self.memory.recognise(&view, moved, &self.params.matching);
         let (placement, map_from_robot) = match (moved, self.memory.path().last()) {
-            (Some(moved), Some(last)) => (Placement::Odometry, last.map_from_robot * moved),
+            (Some(moved), Some(last)) => (Placement::Odometry, last.frame_from_robot * moved),
             _ => (Placement::First, Pose::IDENTITY),
         };
         let placed = self.memory.store_new(&view, &matches, map_from_robot);
         let step = self.memory.remember_view(t, map_from_robot, odom_from_robot);
-        let references = Vec::new();
-        Some(StepReport { step, t, view, matches, references, placed, placement, map_from_robot })
+        let report = StepReport::new((step, t), view, placement, map_from_robot);
+        Some(StepReport { matches, placed, ..report })
     }
 }

@@ -17,7 +17,12 @@ fn ranked(before: &[Surface], after: &[Surface]) -> Vec<Reference> {
     mapper.integrate(View { surfaces: before.to_vec() }, 0.0, Pose::IDENTITY);
     let fit = PairError { d1: 0.0, d2: 0.0, phi: 0.0, error: 0.0 };
     let matches: Vec<Match> = (0..after.len())
-        .map(|seen| Match { seen, previous: seen, known: mapper.memory().mfis().surfaces()[seen].id, fit })
+        .map(|seen| Match {
+            seen,
+            previous: Some(seen),
+            known: mapper.memory().mfis().surfaces()[seen].id,
+            fit,
+        })
         .collect();
     rank_references(after, &matches, mapper.memory().mfis(), &ReferenceQuality::default())
 }

@@ -1,0 +1,229 @@
+//! Our recommended mapper: all recognised surfaces together say where the robot is.
+//!
+//! It is not Yeap's model. It keeps two of its commitments: nothing stored is ever moved, and new
+//! surfaces are placed from recognised ones. It borrows from SLAM a pose that all references
+//! determine together, small local frames, and a jump when a place is recognised. Odometry says
+//! where to begin looking, and decides only in directions that no reference determines; each such
+//! use is an event.
+
+mod alignment;
+mod candidates;
+mod information;
+mod line;
+mod novelty;
+mod recall;
+mod search;
+mod surroundings;
+
+use cogmap_geometry::{Pose, trig};
+use serde::{Deserialize, Serialize};
+
+pub use self::{
+    alignment::Alignment, novelty::Novelty, recall::Recognition, search::Search, surroundings::Reach,
+};
+use self::{alignment::Fit, line::Line, recall::Recall, surroundings::Surroundings};
+use super::{FrameId, Link, LinkKind, Memory, Sighting, SurfaceId};
+use crate::{
+    Placement, StepReport,
+    perception::{Extraction, Reading, View, extract},
+    report::Recalled,
+};
+
+/// Every parameter of the consensus mapper.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct ConsensusParams {
+    /// How points become surfaces.
+    pub extraction: Extraction,
+    /// How a view is laid onto what is remembered.
+    pub alignment: Alignment,
+    /// Where else to look when the view does not fit where odometry puts it.
+    pub search: Search,
+    /// How much of the memory is near.
+    pub reach: Reach,
+    /// What of a view is new.
+    pub novelty: Novelty,
+    /// How a place known before is found again.
+    pub recognition: Recognition,
+    /// Surfaces are placed each so many metres …
+    pub place_distance: f64,
+    /// … or each so many radians.
+    pub place_turn: f64,
+    /// A new local frame is opened this far from the origin of the last one, metres.
+    pub frame_size: f64,
+}
+
+impl Default for ConsensusParams {
+    fn default() -> Self {
+        Self {
+            extraction: Extraction::default(),
+            alignment: Alignment::default(),
+            search: Search::default(),
+            reach: Reach::default(),
+            novelty: Novelty::default(),
+            recognition: Recognition::default(),
+            place_distance: 0.2,
+            place_turn: 8.6 * trig::PI / 180.0,
+            frame_size: 4.0,
+        }
+    }
+}
+
+/// The consensus mapper; see the module for what it keeps of the theory and what it borrows.
+#[derive(Clone, Debug)]
+pub struct Consensus {
+    params: ConsensusParams,
+    memory: Memory,
+    frame: FrameId,
+    frame_from_robot: Pose,
+    frame_from_last_placing: Pose,
+    steps_lost: u32,
+    surroundings: Surroundings,
+    recall: Recall,
+}
+
+impl Consensus {
+    /// A mapper with an empty memory.
+    #[must_use]
+    pub fn new(params: &ConsensusParams) -> Self {
+        Self {
+            params: *params,
+            memory: Memory::default(),
+            frame: FrameId::default(),
+            frame_from_robot: Pose::IDENTITY,
+            frame_from_last_placing: Pose::IDENTITY,
+            steps_lost: 0,
+            surroundings: Surroundings::default(),
+            recall: Recall::default(),
+        }
+    }
+
+    /// What it remembers.
+    #[must_use]
+    pub fn memory(&self) -> &Memory {
+        &self.memory
+    }
+
+    /// Every reading counts: the robot locates itself in each, and places surfaces now and then.
+    pub(crate) fn observe(&mut self, reading: &Reading) -> StepReport {
+        let view = extract(&reading.scan, &self.params.extraction);
+        let lines = line::of_view(&view.surfaces);
+        let moved = self.memory.moved_to(reading.odom_from_robot);
+        let fit = moved.map(|moved| self.locate(&lines, moved));
+        let (mut placed, mut recalled) = (Vec::new(), None);
+        if self.time_to_place() {
+            placed = self.place(&view, &lines);
+            recalled = self.recognise(&lines);
+        }
+        self.settle();
+        let report = self.close(reading, view, fit);
+        StepReport { placed, recalled, ..report }
+    }
+
+    /// Begins where odometry puts the robot and lays the view onto what is remembered around there.
+    fn locate(&mut self, lines: &[Line], moved: Pose) -> Fit {
+        let predicted = self.frame_from_robot * moved;
+        self.recall.carry(moved);
+        let known = self.surroundings.lines();
+        let fit = search::locate(lines, known, predicted, self.steps_lost, &self.params);
+        if fit.fraction < self.params.search.lost_below {
+            self.frame_from_robot = predicted;
+            self.steps_lost += 1;
+        } else {
+            self.frame_from_robot = fit.pose;
+            self.steps_lost = 0;
+        }
+        fit
+    }
+
+    fn time_to_place(&self) -> bool {
+        let since = self.frame_from_last_placing.from_here(self.frame_from_robot);
+        self.memory.path().is_empty()
+            || since.position.length() >= self.params.place_distance
+            || since.heading.abs() >= self.params.place_turn
+    }
+
+    /// Freezes what is new, in the frame of the place where the robot is.
+    fn place(&mut self, view: &View, lines: &[Line]) -> Vec<SurfaceId> {
+        let (frame, step) = (self.frame, self.memory.path().len());
+        let mut placed = Vec::new();
+        for line in lines {
+            let in_frame = line.seen_from(self.frame_from_robot);
+            if !novelty::is_new(&in_frame, self.surroundings.lines(), &self.params.novelty) {
+                continue;
+            }
+            let index_in_view = line.tag as usize;
+            let sighting = Sighting { frame, step, index_in_view };
+            let surface = &view.surfaces[index_in_view];
+            let id = self.memory.store(surface, self.frame_from_robot, sighting);
+            self.surroundings.remember(frame, Line { tag: id.0, ..in_frame });
+            placed.push(id);
+        }
+        self.frame_from_last_placing = self.frame_from_robot;
+        placed
+    }
+
+    /// Tracks whether the robot may be back in an old place, and goes over to it when sure.
+    fn recognise(&mut self, lines: &[Line]) -> Option<Recalled> {
+        let place = self.recall.consider(
+            lines,
+            (self.frame, self.frame_from_robot),
+            &self.surroundings,
+            (&self.params.recognition, &self.params.alignment),
+        )?;
+        let recalled = Recalled { frame: place.frame, left: self.frame, way: place.way };
+        let old_from_current = place.frame_from_robot * self.frame_from_robot.inverse();
+        self.link(place.frame, self.frame, old_from_current, LinkKind::Recognised);
+        self.enter(place.frame, old_from_current.inverse());
+        Some(recalled)
+    }
+
+    /// Goes over to a nearer frame, or opens one where there is none.
+    fn settle(&mut self) {
+        if self.frame_from_robot.position.length() <= self.params.frame_size {
+            return;
+        }
+        let nearest = self.surroundings.nearest_frame(self.frame, self.frame_from_robot);
+        match nearest {
+            Some((frame, current_from_frame, distance)) if distance < self.params.frame_size * 0.8 => {
+                self.enter(frame, current_from_frame);
+            }
+            _ => {
+                let (current, pose) = (self.frame, self.frame_from_robot);
+                let map_from_robot = self.memory.mfis().map_from_frame(current) * pose;
+                let opened = self.memory.open_frame(map_from_robot);
+                self.link(current, opened, pose, LinkKind::Passage);
+                self.enter(opened, pose);
+            }
+        }
+    }
+
+    fn link(&mut self, from: FrameId, to: FrameId, from_from_to: Pose, kind: LinkKind) {
+        let step = self.memory.path().len();
+        self.memory.link(Link { from, to, from_from_to, step, kind });
+        self.surroundings.link(from, to, from_from_to);
+    }
+
+    fn enter(&mut self, frame: FrameId, current_from_frame: Pose) {
+        let frame_from_current = current_from_frame.inverse();
+        self.frame_from_robot = frame_from_current * self.frame_from_robot;
+        self.frame_from_last_placing = frame_from_current * self.frame_from_last_placing;
+        self.frame = frame;
+        self.surroundings.centre_on(frame, &self.params.reach);
+    }
+
+    /// Closes the step: where the robot was, and what told it.
+    fn close(&mut self, reading: &Reading, view: View, fit: Option<Fit>) -> StepReport {
+        let placement = match &fit {
+            None => Placement::First,
+            Some(fit) if fit.fraction < self.params.search.lost_below => Placement::Odometry,
+            Some(fit) if fit.rank < 3 => Placement::PartlyOdometry,
+            Some(_) => Placement::Consensus,
+        };
+        let map_from_robot = self.memory.mfis().map_from_frame(self.frame) * self.frame_from_robot;
+        let here = (self.frame, self.frame_from_robot);
+        let step = self.memory.remember(reading.t, here, reading.odom_from_robot);
+        let report = StepReport::new((step, reading.t), view, placement, map_from_robot);
+        StepReport { matches: fit.map_or(Vec::new(), |fit| fit.matches), ..report }
+    }
+}

@@ -1,0 +1,66 @@
+use cogmap_geometry::trig;
+use serde::{Deserialize, Serialize};
+
+use super::line::Line;
+
+/// What of a view is new. A longer sighting of a known wall is: it becomes another frozen surface.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Novelty {
+    /// A surface is known when this share of it lies beside known ones.
+    pub cover: f64,
+    /// Beside means nearer than this, metres …
+    pub distance: f64,
+    /// … and turned less than this, radians.
+    pub angle: f64,
+    /// Shorter surfaces are debris, metres: they turn with the viewpoint.
+    pub debris: f64,
+    /// Debris is known when this share of it is covered …
+    pub debris_cover: f64,
+    /// … or other debris ends within this, metres.
+    pub debris_distance: f64,
+}
+
+impl Default for Novelty {
+    fn default() -> Self {
+        Self {
+            cover: 0.6,
+            distance: 0.2,
+            angle: 8.0 * trig::PI / 180.0,
+            debris: 0.4,
+            debris_cover: 0.3,
+            debris_distance: 0.25,
+        }
+    }
+}
+
+pub(super) fn is_new(placed: &Line, known: &[Line], params: &Novelty) -> bool {
+    let cover = cover(placed, known, params);
+    if placed.length >= params.debris {
+        return cover < params.cover;
+    }
+    let beside = |other: &Line| {
+        let nearest = other.a.distance(placed.a).min(other.b().distance(placed.b()));
+        other.length < params.debris && nearest < params.debris_distance
+    };
+    cover < params.debris_cover && !known.iter().any(beside)
+}
+
+/// The share of a line that known ones lie beside.
+fn cover(placed: &Line, known: &[Line], params: &Novelty) -> f64 {
+    let parallel = trig::cos(params.angle);
+    let mut parts: Vec<(f64, f64)> = known
+        .iter()
+        .filter(|other| placed.along.dot(other.along) > parallel)
+        .filter_map(|other| placed.gap(other))
+        .filter(|(gap, ..)| *gap < params.distance)
+        .map(|(_, from, to)| (from, to))
+        .collect();
+    parts.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (mut covered, mut until) = (0.0, 0.0_f64);
+    for (from, to) in parts {
+        covered += (to - from.max(until)).max(0.0);
+        until = until.max(to);
+    }
+    covered / placed.length
+}

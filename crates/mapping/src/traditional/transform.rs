@@ -1,0 +1,146 @@
+use cogmap_geometry::Pose;
+use rand_core::SeedableRng;
+use rand_pcg::Pcg64Mcg;
+use serde::{Deserialize, Serialize};
+
+use super::annealing::{Annealing, Correction, anneal};
+use crate::{
+    Cadence, Placement, StepReport,
+    memory::{Matching, Memory, Tracked, match_views},
+    perception::{Extraction, Reading, Surface, extract},
+};
+
+/// Every parameter of the traditional mapper.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct TransformParams {
+    /// When a scan is a view.
+    pub cadence: Cadence,
+    /// How points become surfaces.
+    pub extraction: Extraction,
+    /// When two surfaces match, and how badly.
+    pub matching: Matching,
+    /// How the movement is corrected.
+    pub annealing: Annealing,
+}
+
+/// The traditional algorithm (§3.1): the measured turn and travel are corrected until the current
+/// view fits the previous one, and the corrected movement puts the view into the map.
+#[derive(Clone, Debug)]
+pub struct Transform {
+    params: TransformParams,
+    memory: Memory,
+    rng: Pcg64Mcg,
+}
+
+impl Transform {
+    /// A mapper with an empty memory; its search draws from `seed`.
+    #[must_use]
+    pub fn new(params: &TransformParams, seed: u64) -> Self {
+        Self { params: *params, memory: Memory::default(), rng: Pcg64Mcg::seed_from_u64(seed) }
+    }
+
+    /// What it remembers.
+    #[must_use]
+    pub fn memory(&self) -> &Memory {
+        &self.memory
+    }
+
+    pub(crate) fn observe(&mut self, reading: &Reading) -> Option<StepReport> {
+        if !self.params.cadence.takes(reading, self.memory.odom_from_last()) {
+            return None;
+        }
+        let (t, odom_from_robot) = (reading.t, reading.odom_from_robot);
+        let view = extract(&reading.scan, &self.params.extraction);
+        let measured = self.memory.moved_to(odom_from_robot);
+        let corrected = measured.map(|measured| {
+            let correction = self.correct(&view.surfaces, measured);
+            (moved_by(measured, correction.turn, correction.travel), correction)
+        });
+        let moved = corrected.as_ref().map(|(moved, _)| *moved);
+        let matches = self.memory.recognise(&view, moved, &self.params.matching);
+        let (placement, map_from_robot) = match (moved, self.memory.path().last()) {
+            (Some(moved), Some(last)) => (Placement::Transform, last.frame_from_robot * moved),
+            _ => (Placement::First, Pose::IDENTITY),
+        };
+        let placed = self.memory.store_new(&view, &matches, map_from_robot);
+        let step = self.memory.remember_view(t, map_from_robot, odom_from_robot);
+        let correction = corrected.map(|(_, correction)| correction);
+        let report = StepReport::new((step, t), view, placement, map_from_robot);
+        Some(StepReport { matches, placed, correction, ..report })
+    }
+
+    /// §3.1.3: the changes of turn and travel that let the current view fit the previous one best.
+    fn correct(&mut self, current: &[Surface], measured: Pose) -> Correction {
+        let previous = self.memory.previous_as_stored();
+        let (matching, rng) = (&self.params.matching, &mut self.rng);
+        let error_of = |turn: f64, travel: f64| {
+            mean_error(current, &previous, moved_by(measured, turn, travel), matching)
+        };
+        anneal(error_of, &self.params.annealing, rng)
+    }
+}
+
+/// The measured movement (turn, then travel) with both changed; to the side nothing is corrected.
+fn moved_by(measured: Pose, turn: f64, travel: f64) -> Pose {
+    let ahead = measured.position.try_normalize().unwrap_or(measured.forward());
+    let further = measured.position + ahead * travel;
+    Pose::new(0.0, 0.0, turn) * Pose { position: further, heading: measured.heading }
+}
+
+/// The mean error of all matching pairs. Guarded against dropping pairs, which would lower the mean: a
+/// surface without a partner counts as a pair at the very edge of the gates (the guard is ours).
+#[allow(clippy::cast_precision_loss, reason = "a view has a few dozen surfaces")]
+fn mean_error(current: &[Surface], previous: &[Tracked], moved: Pose, params: &Matching) -> f64 {
+    let matches = match_views(current, previous, moved, params);
+    let paired: f64 = matches.iter().map(|m| m.fit.error).sum();
+    let most = current.len().min(previous.len());
+    let unpaired = most.saturating_sub(matches.len()) as f64 * params.error_at_gates();
+    (paired + unpaired) / most.max(1) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use cogmap_geometry::{DVec2, Segment};
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::{memory::SurfaceId, perception::End};
+
+    fn room() -> Vec<Surface> {
+        let walls = [
+            ((4.0, -3.0), (4.0, 3.0)),
+            ((4.0, 3.0), (-1.0, 3.0)),
+            ((-1.0, -3.0), (4.0, -3.0)),
+            ((2.0, 1.0), (2.6, 1.6)),
+        ];
+        let surface = |((ax, ay), (bx, by)): ((f64, f64), (f64, f64))| Surface {
+            segment: Segment::new(DVec2::new(ax, ay), DVec2::new(bx, by)),
+            ends: [End::True; 2],
+            beams: [0, 9],
+            points: 10,
+            residual: 0.0,
+            range: 3.0,
+            incidence: 0.3,
+        };
+        walls.into_iter().map(surface).collect()
+    }
+
+    proptest! {
+        #[test]
+        fn a_small_error_of_turn_and_travel_is_corrected(turn in -0.1f64..0.1, travel in -0.1f64..0.1, seed: u64) {
+            let truth = Pose::new(0.5, 0.1, 0.3);
+            let previous: Vec<Tracked> =
+                room().into_iter().map(|surface| Tracked { surface, known: SurfaceId(0) }).collect();
+            let current: Vec<Surface> = room().iter().map(|s| s.seen_from(truth.inverse())).collect();
+            let measured = moved_by(truth, turn, travel);
+            let error_of = |t: f64, x: f64| mean_error(&current, &previous, moved_by(measured, t, x), &Matching::default());
+            let found = anneal(error_of, &Annealing::default(), &mut Pcg64Mcg::seed_from_u64(seed));
+            let corrected = moved_by(measured, found.turn, found.travel);
+            let before = truth.from_here(measured);
+            let after = truth.from_here(corrected);
+            prop_assert!(after.heading.abs() <= before.heading.abs().max(0.02));
+            prop_assert!(after.position.length() <= before.position.length().max(0.05));
+        }
+    }
+}
