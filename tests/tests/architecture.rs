@@ -9,7 +9,7 @@ const FLOORS: [&[&str]; 7] = [
     &["cogmap-mapping"],
     &["cogmap-navigation"],
     &["cogmap-simulation"],
-    &["cogmap-formats", "cogmap-scene", "cogmap-study"],
+    &["cogmap-formats", "cogmap-scene", "cogmap-study", "cogmap-raycast-bench"],
     &["cogmap", "cogmap-wasm"],
     &["cogmap-tests"],
 ];

@@ -60,7 +60,10 @@ export const strings = {
       `View ${step}: ${count(seen, 'surface', 'surfaces')} seen, ${recognised} recognised`,
     first: 'the first view lays down the map’s frame',
     reference: (known: number) => `reference: surface ${known}`,
-    weak: (known: number) => `reference: surface ${known}, its place along the wall a guess`,
+    weak_reference: (known: number) => `reference: surface ${known}, its place along the wall a guess`,
+    consensus: 'all of them together say where the robot is',
+    partly_odometry: 'they leave a direction open, where odometry decides',
+    transform: 'the movement corrected until the views fit',
     odometry: 'placed by odometry',
     placed: (surfaces: number) =>
       surfaces === 0 ? 'nothing new' : `${count(surfaces, 'new surface', 'new surfaces')} placed`,

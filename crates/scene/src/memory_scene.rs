@@ -1,5 +1,8 @@
 use cogmap_geometry::{DVec2, Pose, Segment};
-use cogmap_mapping::{Mapper, MapperSetup, Placement, StepReport, memory::StoredSurface};
+use cogmap_mapping::{
+    Mapper, MapperSetup, Placement, StepReport,
+    memory::{Mfis, StoredSurface},
+};
 use cogmap_simulation::{BoxObstacle, Door, MapperJournal, Session, Source};
 use serde::{Deserialize, Serialize};
 
@@ -49,7 +52,7 @@ pub fn memory_scene(session: &Session, mapper: usize, options: MemoryOptions) ->
     if options.truth {
         draw_truth(&mut scene, session, journal);
     }
-    scene.still.extend(surfaces(mind.mfis().surfaces()));
+    scene.still.extend(surfaces(mind.mfis()));
     let robot = mind.map_from_robot(session.odom_from_robot());
     if options.path {
         draw_path(&mut scene, mind, journal, robot);
@@ -77,13 +80,13 @@ fn words(session: &Session, name: &str, mind: &Mapper, views: usize) -> (String,
 }
 
 /// Debris first, so that walls lie above it; oldest first.
-fn surfaces(stored: &[StoredSurface]) -> Vec<Item> {
+fn surfaces(mfis: &Mfis) -> Vec<Item> {
     let (debris, long): (Vec<_>, Vec<_>) =
-        stored.iter().partition(|surface| surface.segment.length() < DEBRIS);
+        mfis.surfaces().iter().partition(|surface| surface.segment.length() < DEBRIS);
     let of_views = |surfaces: &[&StoredSurface], role: fn(usize) -> Role| -> Vec<Item> {
         let runs = surfaces.chunk_by(|a, b| a.step == b.step);
         let item = |run: &[&StoredSurface]| {
-            let segments = run.iter().map(|surface| surface.segment).collect();
+            let segments = run.iter().map(|surface| mfis.in_map(surface)).collect();
             Some(Item::new(role(run.first()?.step), Shape::Segments(segments)))
         };
         runs.filter_map(item).collect()
@@ -94,7 +97,7 @@ fn surfaces(stored: &[StoredSurface]) -> Vec<Item> {
 }
 
 fn draw_path(scene: &mut Scene, mind: &Mapper, journal: &MapperJournal, robot: Option<Pose>) {
-    let points: Vec<_> = mind.path().iter().map(|point| point.map_from_robot.position).collect();
+    let points: Vec<_> = mind.path().iter().map(|point| mind.mfis().place_of(point).position).collect();
     let tail = points.last().zip(robot).map(|(last, robot)| vec![*last, robot.position]);
     scene.changing.extend(tail.map(|tail| Item::new(Role::Path, Shape::Polyline(tail))));
     scene.still.push(Item::new(Role::Path, Shape::Polyline(points.clone())));
@@ -127,7 +130,7 @@ fn draw_view(scene: &mut Scene, mind: &Mapper, report: &StepReport) {
     scene.explain(Sample::Line(Role::SeenNow), "seen now");
     if let Some((known, seen)) = pair {
         scene.changing.extend([
-            Item::new(Role::ReferenceKnown, Shape::Segments(vec![known.segment])),
+            Item::new(Role::ReferenceKnown, Shape::Segments(vec![mind.mfis().in_map(known)])),
             Item::new(Role::ReferenceSeen, Shape::Segments(vec![seen])),
             Item::new(Role::ReferenceSeen, Shape::Signs(vec![seen.a, seen.b])),
         ]);

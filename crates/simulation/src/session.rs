@@ -48,7 +48,8 @@ impl Session {
     }
 
     fn begin(record: SessionRecord, feed: Feed) -> Self {
-        let mappers: Vec<Mapper> = record.mappers.iter().map(Mapper::new).collect();
+        let mappers: Vec<Mapper> =
+            record.mappers.iter().map(|setup| Mapper::new(setup, record.seed)).collect();
         let journal = Journal::for_mappers(mappers.len());
         let checkpoints = Checkpoints::new(feed.interval());
         let mut session = Self { record, feed, mappers, journal, checkpoints };
@@ -61,7 +62,7 @@ impl Session {
     fn first_look(&mut self) {
         if let Feed::Drive(drive) = &mut self.feed {
             let observation = drive.look();
-            self.take_in(observation);
+            self.take_in(&observation);
         }
     }
 
@@ -69,17 +70,17 @@ impl Session {
     pub fn advance(&mut self) -> bool {
         let Some(turn) = self.feed.advance(self.record.commands()) else { return false };
         if let Some(position) = turn.collision {
-            self.journal.note(Event::Collision { position: position.into() });
+            self.journal.note(&Event::Collision { position: position.into() });
         }
         if let Some(observation) = turn.observation {
-            self.take_in(observation);
+            self.take_in(&observation);
         }
         self.record.lasts_at_least(self.feed.position());
         self.checkpoints.keep(&self.feed, &self.mappers, &self.journal);
         true
     }
 
-    fn take_in(&mut self, observation: Observation) {
+    fn take_in(&mut self, observation: &Observation) {
         let reports: Vec<_> =
             self.mappers.iter_mut().map(|mapper| mapper.observe(&observation.reading)).collect();
         self.journal.write(observation, &self.mappers, reports);

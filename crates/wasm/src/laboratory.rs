@@ -1,6 +1,6 @@
 use cogmap_formats::{run::map, session};
 use cogmap_geometry::DVec2;
-use cogmap_scene::{Bounds, MemoryOptions, Scene, Sheet};
+use cogmap_scene::{MemoryOptions, Sheet};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::{JsError, prelude::wasm_bindgen};
 use web_sys::OffscreenCanvasRenderingContext2d;
@@ -159,10 +159,10 @@ impl Laboratory {
         session::write(self.run.session().record())
     }
 
-    /// The map as a file.
+    /// The map of one of the mappers, counted from 0, as a file; empty where there is no such mapper.
     #[must_use]
-    pub fn map_json(&self) -> String {
-        map(self.run.session(), 0)
+    pub fn map_json(&self, mapper: usize) -> String {
+        map(self.run.session(), mapper)
     }
 
     /// Paints a view on its canvas, which has `density` pixels to one of the page.
@@ -202,15 +202,11 @@ impl Laboratory {
         side: f64,
         density: f64,
     ) -> Result<(), JsError> {
-        let scenes = [View::Left, View::Right].map(|view| scene(self.run.session(), view, self.shown));
-        let bounds = scenes.iter().filter_map(Scene::bounds).reduce(Bounds::union);
         let sheet = Sheet::new(side, side, look.to_rust()?.into());
-        // Both at one scale: the view with the longer legend, the memory, has less room.
-        let camera = bounds.map(|bounds| sheet.fit(&scenes[1], bounds));
-        let sheet = Sheet { camera, ..sheet };
-        for (scene, x) in scenes.iter().zip([0.0, side]) {
+        for (view, x) in [(View::Left, 0.0), (View::Right, side)] {
             let place = Place { corner: DVec2::new(x, 0.0), density };
-            Canvas::default().paint(context, scene, &sheet, place).map_err(Failure::from)?;
+            let scene = scene(self.run.session(), view, self.shown);
+            Canvas::default().paint(context, &scene, &sheet, place).map_err(Failure::from)?;
         }
         Ok(())
     }

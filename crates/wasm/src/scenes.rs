@@ -20,6 +20,7 @@ pub(crate) fn scene(session: &Session, view: View, options: MemoryOptions) -> Sc
 /// where there is no truth.
 pub(crate) fn shared_from_map(session: &Session) -> Option<Pose> {
     let truth = session.journal().truth.first()?;
-    let first = session.mappers().first()?.path().first()?;
-    Some(truth.pose * first.map_from_robot.inverse())
+    let mapper = session.mappers().first()?;
+    let first = mapper.mfis().place_of(mapper.path().first()?);
+    Some(truth.pose * first.inverse())
 }

@@ -92,6 +92,12 @@ pub enum PlacementKind {
     Reference,
     /// A reference whose place along its own line was a guess.
     WeakReference,
+    /// All recognised surfaces together.
+    Consensus,
+    /// The same, and odometry along a direction that they leave open.
+    PartlyOdometry,
+    /// The measured movement, corrected until the views fitted.
+    Transform,
     /// Odometry.
     Odometry,
 }

@@ -60,22 +60,9 @@ fn way() -> Vec<[f64; 2]> {
     ]
 }
 
-pub(crate) fn world() -> Scene {
-    let heading = 1.2;
-    let robot = Pose::new(10.0, 5.5, heading);
-    let fan = [
-        [10.0, 5.5],
-        [12.0, 4.75],
-        [12.0, 7.0],
-        [10.9, 7.0],
-        [10.85, 6.6],
-        [10.3, 6.6],
-        [10.3, 7.0],
-        [8.4, 7.0],
-        [8.4, 6.15],
-    ];
-    let hits: Vec<_> = (0..=20).map(|i| DVec2::new(12.0, 4.75 + 0.11 * f64::from(i))).collect();
-    let still = [
+/// What stands still.
+fn building() -> Vec<Item> {
+    vec![
         Item::new(Role::Room, rectangle([0.0, 0.0], [12.0, 7.0])),
         Item::new(Role::Furniture, rectangle([0.2, 2.0], [1.8, 2.7])),
         Item::new(Role::Furniture, rectangle([3.0, 0.1], [4.8, 0.8])),
@@ -93,7 +80,24 @@ pub(crate) fn world() -> Scene {
         label([2.9, 6.4], "Copy room", 4.2),
         label([6.4, 5.8], "Archive", 3.8),
         label([9.4, 5.4], "Kitchen", 3.4),
+    ]
+}
+
+pub(crate) fn world() -> Scene {
+    let heading = 1.2;
+    let robot = Pose::new(10.0, 5.5, heading);
+    let fan = [
+        [10.0, 5.5],
+        [12.0, 4.75],
+        [12.0, 7.0],
+        [10.9, 7.0],
+        [10.85, 6.6],
+        [10.3, 6.6],
+        [10.3, 7.0],
+        [8.4, 7.0],
+        [8.4, 6.15],
     ];
+    let hits: Vec<_> = (0..=20).map(|i| DVec2::new(12.0, 4.75 + 0.11 * f64::from(i))).collect();
     let changing = [
         Item::new(Role::LaserFan, Shape::Polygon(points(&fan))),
         Item::new(Role::LaserHit, Shape::Signs(hits)),
@@ -108,7 +112,7 @@ pub(crate) fn world() -> Scene {
         LegendEntry::new(Sample::Area(Role::Furniture), "furniture"),
     ];
     let (title, note) = ("Sample office".to_owned(), "The world · 15 views · 12.4 m".to_owned());
-    Scene { title, note, still: still.to_vec(), changing: changing.to_vec(), views: 15, legend }
+    Scene { title, note, still: building(), changing: changing.to_vec(), views: 15, legend }
 }
 
 fn swing([x, y]: [f64; 2], length: f64) -> Vec<DVec2> {

@@ -164,7 +164,7 @@ export class Bench {
 
   /** The map as a file. */
   map(): Saved {
-    return this.json('map', (laboratory) => laboratory.map_json());
+    return this.json('map', (laboratory) => laboratory.map_json(0));
   }
 
   private json(kind: string, write: (laboratory: Laboratory) => string): Saved {

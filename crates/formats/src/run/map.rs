@@ -1,20 +1,20 @@
-use cogmap_geometry::DVec2;
-use cogmap_mapping::{PathPoint, memory::StoredSurface};
+use cogmap_geometry::{DVec2, Pose};
+use cogmap_mapping::{
+    PathPoint,
+    memory::{Frame, Link, LinkKind, StoredSurface},
+};
 use cogmap_simulation::Session;
 use serde::Serialize;
 
 use crate::json;
-
-/// The frame of mappers without local frames.
-const MAP_FRAME: u32 = 0;
 
 /// `map.json`: the network of frames, surfaces, exits, ASRs and the path, `cogmap-map/1`.
 #[derive(Serialize)]
 struct MapFile<'a> {
     format: &'static str,
     mapper: &'a str,
-    frames: [Frame; 1],
-    links: [(); 0],
+    frames: Vec<FrameRow>,
+    links: Vec<LinkRow>,
     surfaces: Vec<SurfaceRow>,
     exits: [(); 0],
     asrs: [(); 0],
@@ -22,9 +22,18 @@ struct MapFile<'a> {
 }
 
 #[derive(Serialize)]
-struct Frame {
+struct FrameRow {
     id: u32,
     map_from_frame: [f64; 3],
+}
+
+#[derive(Serialize)]
+struct LinkRow {
+    from: u32,
+    to: u32,
+    from_from_to: [f64; 3],
+    step: usize,
+    kind: LinkKind,
 }
 
 #[derive(Serialize)]
@@ -62,8 +71,8 @@ pub fn map(session: &Session, index: usize) -> String {
     let file = MapFile {
         format: "cogmap-map/1",
         mapper: setup.name(),
-        frames: [Frame { id: MAP_FRAME, map_from_frame: [0.0; 3] }],
-        links: [],
+        frames: mapper.mfis().frames().iter().map(frame_row).collect(),
+        links: mapper.mfis().links().iter().map(link_row).collect(),
         surfaces: surfaces
             .map(|surface| surface_row(surface, true_walls.get(surface.id.0 as usize).copied().flatten()))
             .collect(),
@@ -74,11 +83,24 @@ pub fn map(session: &Session, index: usize) -> String {
     json::write_file(&file, 2)
 }
 
+fn triple(pose: Pose) -> [f64; 3] {
+    [pose.position.x, pose.position.y, pose.heading]
+}
+
+fn frame_row(frame: &Frame) -> FrameRow {
+    FrameRow { id: frame.id.0, map_from_frame: triple(frame.map_from_frame) }
+}
+
+fn link_row(link: &Link) -> LinkRow {
+    let Link { from, to, from_from_to, step, kind } = *link;
+    LinkRow { from: from.0, to: to.0, from_from_to: triple(from_from_to), step, kind }
+}
+
 fn surface_row(surface: &StoredSurface, true_wall: Option<u32>) -> SurfaceRow {
     let point = |point: DVec2| [point.x, point.y];
     SurfaceRow {
         id: surface.id.0,
-        frame: MAP_FRAME,
+        frame: surface.frame.0,
         a: point(surface.segment.a),
         b: point(surface.segment.b),
         step: surface.step,
@@ -88,11 +110,11 @@ fn surface_row(surface: &StoredSurface, true_wall: Option<u32>) -> SurfaceRow {
 }
 
 fn path_row(point: &PathPoint) -> PathRow {
-    let pose = point.map_from_robot;
+    let pose = point.frame_from_robot;
     PathRow {
         step: point.step,
         t: point.t,
-        frame: MAP_FRAME,
+        frame: point.frame.0,
         x: pose.position.x,
         y: pose.position.y,
         heading: pose.heading,

@@ -66,7 +66,10 @@ struct MapperNote<'a> {
     matches: usize,
     references: usize,
     weak_placements: usize,
+    partly_by_odometry: usize,
     fallbacks: usize,
+    frames: usize,
+    recognised: usize,
     /// Metres, from view to view, in the map.
     path_length: f64,
     parameters: &'a MapperSetup,
@@ -125,8 +128,11 @@ fn mapper_note<'a>(session: &'a Session, index: usize, label: &'a str) -> Option
     let parameters = session.record().mappers.get(index)?;
     let (mapper, journal) = (session.mappers().get(index)?, session.journal().mappers.get(index)?);
     let placed_by = |placement| journal.reports.iter().filter(|report| report.placement == placement).count();
-    let path: Vec<Stamped> =
-        mapper.path().iter().map(|point| Stamped { t: point.t, pose: point.map_from_robot }).collect();
+    let path: Vec<Stamped> = mapper
+        .path()
+        .iter()
+        .map(|point| Stamped { t: point.t, pose: mapper.mfis().place_of(point) })
+        .collect();
     let surfaces = mapper.mfis().surfaces();
     Some(MapperNote {
         name: parameters.name(),
@@ -137,7 +143,10 @@ fn mapper_note<'a>(session: &'a Session, index: usize, label: &'a str) -> Option
         matches: journal.reports.iter().map(|report| report.matches.len()).sum(),
         references: placed_by(Placement::Reference) + placed_by(Placement::WeakReference),
         weak_placements: placed_by(Placement::WeakReference),
+        partly_by_odometry: placed_by(Placement::PartlyOdometry),
         fallbacks: placed_by(Placement::Odometry),
+        frames: mapper.mfis().frames().len(),
+        recognised: journal.reports.iter().filter(|report| report.recalled.is_some()).count(),
         path_length: length(&path),
         parameters,
     })

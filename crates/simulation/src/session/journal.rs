@@ -51,7 +51,7 @@ impl Journal {
     /// Writes down a scan and what each mapper made of it.
     pub(super) fn write(
         &mut self,
-        observation: Observation,
+        observation: &Observation,
         mappers: &[Mapper],
         reports: Vec<Option<StepReport>>,
     ) {
@@ -62,13 +62,13 @@ impl Journal {
             let pose = mapper.map_from_robot(odom_from_robot);
             journal.estimate.extend(pose.map(|pose| Stamped { t, pose }));
             if let Some(report) = report {
-                journal.write(report, &observation.beam_solids);
+                journal.write(report, mapper, &observation.beam_solids);
             }
         }
     }
 
     /// Writes down what happened in the world.
-    pub(super) fn note(&mut self, event: Event) {
+    pub(super) fn note(&mut self, event: &Event) {
         for journal in &mut self.mappers {
             let step = journal.reports.len().saturating_sub(1);
             journal.events.push((step, event.clone()));
@@ -93,17 +93,13 @@ impl Journal {
 }
 
 impl MapperJournal {
-    fn write(&mut self, report: StepReport, beam_solids: &[Option<u32>]) {
+    fn write(&mut self, report: StepReport, mapper: &Mapper, beam_solids: &[Option<u32>]) {
         self.events.extend(report.events().into_iter().map(|event| (report.step, event)));
         if !beam_solids.is_empty() {
-            let new = report
-                .view
-                .surfaces
-                .iter()
-                .enumerate()
-                .filter(|(index, _)| !report.matches.iter().any(|m| m.seen == *index));
-            let walls = new.map(|(_, surface)| wall_of(&beam_solids[surface.beams[0]..=surface.beams[1]]));
-            self.true_walls.extend(walls.collect::<Vec<_>>());
+            let sightings = report.placed.iter().filter_map(|&id| mapper.mfis().get(id));
+            let surfaces = sightings.filter_map(|stored| report.view.surfaces.get(stored.index_in_view));
+            let walls = surfaces.map(|surface| wall_of(&beam_solids[surface.beams[0]..=surface.beams[1]]));
+            self.true_walls.extend(walls);
         }
         self.reports.push(report);
     }
