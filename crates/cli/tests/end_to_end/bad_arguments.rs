@@ -12,7 +12,11 @@ const CASES: [(&str, &str, &str); 44] = [
     ("run room.world.json --seed -1", "--seed", "not a number from 0"),
     ("run room.world.json --seed 1.5", "--seed", "not a number from 0"),
     ("run room.world.json --seed 99999999999999999999", "--seed", "not a number from 0"),
-    ("run room.world.json --mapper slam", "--mapper", "[possible values: perceptual, consensus, transform, odometry]"),
+    (
+        "run room.world.json --mapper slam",
+        "--mapper",
+        "[possible values: perceptual, consensus, transform, odometry]",
+    ),
     ("run room.world.json --mapper odometry --mapper odometry", "`odometry` twice", "once"),
     ("run room.world.json --robot ugly", "--robot ugly", "perfect, good, bad"),
     ("run room.world.json --robot typo.robot.json", "typo.robot.json, line 1", "`laser`"),
