@@ -5,7 +5,7 @@ use clap::{Args, Parser, Subcommand};
 use cogmap_mapping::MapperSetup;
 
 /// The mapper of a command that names none.
-pub(crate) const DEFAULT_MAPPER: &str = "perceptual";
+pub(crate) const DEFAULT_MAPPER: &str = "consensus";
 
 /// What the command line asks for.
 #[derive(Debug, Parser)]
@@ -118,8 +118,9 @@ pub(crate) struct CheckArguments {
 /// Which mappers.
 #[derive(Debug, Args)]
 pub(crate) struct MapperArguments {
-    /// Mapper to feed with the readings; give it again for more mappers on the same run
-    /// [default: perceptual, or those of the session]
+    /// Mapper to feed with the readings: perceptual (the thesis to the letter), consensus (ours),
+    /// transform (the traditional one), odometry (the wheels alone); give it again for more
+    /// mappers on the same run [default: consensus, or those of the session]
     #[arg(long = "mapper", value_name = "NAME",
         value_parser = PossibleValuesParser::new(MapperSetup::NAMES))]
     pub(crate) names: Vec<String>,

@@ -209,7 +209,7 @@ fn check_says_what_a_file_is_and_what_is_in_it() {
     bench.cogmap("replay walk.log --out log").done();
     let files = "room.world.json walk.log drive/session.json log/session.json";
     let outcome = bench.cogmap(&format!("check {files}")).done();
-    for phrase in ["world", "across", "24 scans", "session", "perceptual"] {
+    for phrase in ["world", "across", "24 scans", "session", "consensus"] {
         assert!(outcome.out.contains(phrase), "{phrase}: {}", outcome.out);
     }
 }
