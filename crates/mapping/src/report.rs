@@ -132,6 +132,10 @@ impl StepReport {
             (Placement::Odometry, _) => {
                 events.push(Event::Fallback { matches: self.matches.len(), why: self.why_fallback() });
             }
+            (Placement::PartlyOdometry, _) => events.push(Event::OdometryUsed {
+                matches: self.matches.len(),
+                why: "the recognised surfaces leave a direction open, as in a corridor".to_owned(),
+            }),
             _ => {}
         }
         if !self.placed.is_empty() {

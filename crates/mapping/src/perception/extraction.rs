@@ -1,7 +1,10 @@
 use cogmap_geometry::{DVec2, LineFit, Segment, fit_line, trig};
 use serde::{Deserialize, Serialize};
 
-use super::{Scan, Surface, View, ends};
+use super::{
+    Scan, Surface, View,
+    ends::{self, Extent},
+};
 
 /// How points become surfaces (§3.1.1 names no method): cut at gaps, split at corners, merge what
 /// was split in vain, fit by total least squares.
@@ -72,14 +75,14 @@ pub fn extract(scan: &Scan, params: &Extraction) -> View {
     settle_borders(&points, &mut pieces);
     let lines: Vec<(Piece, LineFit)> =
         pieces.into_iter().filter_map(|piece| Some((piece, fit(&points, piece)?))).collect();
-    let segments = ends::with_corners(&points, &lines, params);
+    let extents = ends::extents(&points, &lines, params);
     let surfaces = lines
         .iter()
-        .zip(segments)
-        .filter(|((piece, _), segment)| {
-            piece.to - piece.from + 1 >= params.min_points && segment.length() >= params.min_length
+        .zip(extents)
+        .filter(|((piece, _), extent)| {
+            piece.to - piece.from + 1 >= params.min_points && extent.segment.length() >= params.min_length
         })
-        .map(|((piece, line), segment)| surface(scan, &points, *piece, line, segment))
+        .map(|(line, extent)| surface(scan, &points, line, extent))
         .collect();
     View { surfaces }
 }
@@ -192,19 +195,20 @@ fn fit(points: &[Point], piece: Piece) -> Option<LineFit> {
     fit_line(&inner)
 }
 
-fn surface(scan: &Scan, points: &[Point], piece: Piece, line: &LineFit, segment: Segment) -> Surface {
+fn surface(scan: &Scan, points: &[Point], line: &(Piece, LineFit), extent: Extent) -> Surface {
+    let (piece, fit) = line;
     let own = &points[piece.from..=piece.to];
     #[allow(clippy::cast_precision_loss, reason = "a scan has a few hundred points")]
     let range = own.iter().map(|p| p.range).sum::<f64>() / own.len() as f64;
-    let towards = segment.midpoint().normalize_or_zero();
+    let towards = extent.segment.midpoint().normalize_or_zero();
     Surface {
-        segment: scan.robot_from_laser * segment,
-        ends: ends::kinds(scan, points, piece, line),
+        segment: scan.robot_from_laser * extent.segment,
+        ends: ends::kinds(scan, points, line, extent),
         beams: [own[0].beam, own[own.len() - 1].beam],
         points: own.len(),
-        residual: line.residual,
+        residual: fit.residual,
         range,
-        incidence: trig::asin(line.direction.dot(towards).abs()),
+        incidence: trig::asin(fit.direction.dot(towards).abs()),
     }
 }
 

@@ -21,8 +21,11 @@ pub struct Alignment {
     pub gate_angle_floor: f64,
     /// Steps of Gauss and Newton at most.
     pub iterations: usize,
-    /// A direction of the pose counts as determined from this much information on, 1/m².
+    /// A direction of the pose counts as determined from this much information on, 1/m² …
     pub information: f64,
+    /// … and from this share of the best determined direction's: walls that are almost parallel do
+    /// not tell how far along them the robot is.
+    pub information_share: f64,
     /// Error of a remembered line's place beside its noise, metres.
     pub model_error: f64,
     /// Error of a true end beside the spacing of the beams, metres.
@@ -42,6 +45,7 @@ impl Default for Alignment {
             gate_angle_floor: 5.0 * trig::PI / 180.0,
             iterations: 10,
             information: 100.0,
+            information_share: 0.01,
             model_error: 0.02,
             end_error: 0.04,
             end_gate: 0.25,
@@ -85,7 +89,7 @@ pub(super) fn align(view: &[Line], near: &Candidates, start: Pose, slack: f64, p
     let (mut pose, mut rank) = (start, 0);
     for iteration in 0..params.iterations {
         let information = gather(view, near, pose, gate_of(iteration, slack, params), params);
-        let (step, directions) = information.step(params.information);
+        let (step, directions) = information.step(params.information, params.information_share);
         rank = directions;
         let [x, y, turn] = step;
         pose = Pose::new(pose.position.x + x, pose.position.y + y, pose.heading + turn / params.lever);
@@ -96,7 +100,10 @@ pub(super) fn align(view: &[Line], near: &Candidates, start: Pose, slack: f64, p
     let gate = Gate { distance: params.gate_floor, angle: params.gate_angle_floor };
     let pairs = pair_up(view, near, pose, gate);
     let total: f64 = view.iter().map(|line| line.length).sum();
-    let matched: f64 = pairs.iter().map(|pair| pair.to - pair.from).sum();
+    let covered = |(index, line): (usize, &Line)| {
+        line.seen_from(pose).covered_by(near.of(index), gate.distance, gate.angle)
+    };
+    let matched: f64 = view.iter().enumerate().map(covered).sum();
     let fraction = if total > 0.0 { matched / total } else { 0.0 };
     Fit { pose, matched, fraction, rank, matches: pairs.iter().map(Pair::as_match).collect() }
 }

@@ -18,10 +18,11 @@ impl Information {
         }
     }
 
-    /// The Gauss–Newton step within the directions that are known better than `least`, and how many
-    /// they are.
-    pub(super) fn step(&self, least: f64) -> ([f64; 3], usize) {
+    /// The Gauss–Newton step within the directions that are known better than `least`, and better
+    /// than that share of the best known one; and how many they are.
+    pub(super) fn step(&self, least: f64, share: f64) -> ([f64; 3], usize) {
         let (values, vectors) = eigen(self.matrix);
+        let least = least.max(share * values.into_iter().fold(0.0, f64::max));
         let mut step = [0.0; 3];
         let mut rank = 0;
         for (value, vector) in values.into_iter().zip(vectors) {
@@ -96,7 +97,7 @@ mod tests {
         let mut information = Information::default();
         information.add([1.0, 0.0, 0.0], 0.5, 1000.0);
         information.add([0.0, 0.0, 1.0], -0.1, 1000.0);
-        let (step, rank) = information.step(100.0);
+        let (step, rank) = information.step(100.0, 0.01);
         assert_eq!(rank, 2);
         assert!((step[0] + 0.5).abs() < 1e-12 && step[1].abs() < 1e-12 && (step[2] - 0.1).abs() < 1e-12);
     }

@@ -1,4 +1,4 @@
-use cogmap_geometry::{DVec2, Pose, Segment, normalize_angle};
+use cogmap_geometry::{DVec2, Pose, Segment, normalize_angle, trig};
 
 use crate::perception::{End, Surface};
 
@@ -88,5 +88,25 @@ impl Line {
         let (from, to) = self.beside(other)?;
         let gap = other.across(self.point(from)).abs().max(other.across(self.point(to)).abs());
         Some((gap, from, to))
+    }
+
+    /// Metres of this line that lie beside any of the others: nearer than `distance` and turned less
+    /// than `angle`.
+    pub(super) fn covered_by(&self, others: &[Self], distance: f64, angle: f64) -> f64 {
+        let parallel = trig::cos(angle);
+        let mut parts: Vec<(f64, f64)> = others
+            .iter()
+            .filter(|other| self.along.dot(other.along) > parallel)
+            .filter_map(|other| self.gap(other))
+            .filter(|(gap, ..)| *gap < distance)
+            .map(|(_, from, to)| (from, to))
+            .collect();
+        parts.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (mut covered, mut until) = (0.0, 0.0_f64);
+        for (from, to) in parts {
+            covered += (to - from.max(until)).max(0.0);
+            until = until.max(to);
+        }
+        covered
     }
 }

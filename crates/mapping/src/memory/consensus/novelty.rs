@@ -35,7 +35,7 @@ impl Default for Novelty {
 }
 
 pub(super) fn is_new(placed: &Line, known: &[Line], params: &Novelty) -> bool {
-    let cover = cover(placed, known, params);
+    let cover = placed.covered_by(known, params.distance, params.angle) / placed.length;
     if placed.length >= params.debris {
         return cover < params.cover;
     }
@@ -44,23 +44,4 @@ pub(super) fn is_new(placed: &Line, known: &[Line], params: &Novelty) -> bool {
         other.length < params.debris && nearest < params.debris_distance
     };
     cover < params.debris_cover && !known.iter().any(beside)
-}
-
-/// The share of a line that known ones lie beside.
-fn cover(placed: &Line, known: &[Line], params: &Novelty) -> f64 {
-    let parallel = trig::cos(params.angle);
-    let mut parts: Vec<(f64, f64)> = known
-        .iter()
-        .filter(|other| placed.along.dot(other.along) > parallel)
-        .filter_map(|other| placed.gap(other))
-        .filter(|(gap, ..)| *gap < params.distance)
-        .map(|(_, from, to)| (from, to))
-        .collect();
-    parts.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (mut covered, mut until) = (0.0, 0.0_f64);
-    for (from, to) in parts {
-        covered += (to - from.max(until)).max(0.0);
-        until = until.max(to);
-    }
-    covered / placed.length
 }
