@@ -3,8 +3,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{FrameId, Link, Match, Matching, Mfis, Sighting, SurfaceId, match_views};
 use crate::{
-    PathPoint,
-    perception::{Surface, View},
+    PathPoint, Placement, StepReport,
+    perception::{Reading, Surface, View},
 };
 
 /// A surface of the previous view: how it looked then, and which stored surface it is.
@@ -112,6 +112,25 @@ impl Memory {
         self.path.push(PathPoint { step, t, frame, frame_from_robot });
         self.odom_from_last = Some(odom_from_robot);
         step
+    }
+
+    /// §3.1.2: puts a view where a movement since the last one takes it, and stores what is new.
+    pub(crate) fn transform(
+        &mut self,
+        view: View,
+        reading: &Reading,
+        (by, moved): (Placement, Option<Pose>),
+        matching: &Matching,
+    ) -> StepReport {
+        let matches = self.recognise(&view, moved, matching);
+        let (placement, map_from_robot) = match (moved, self.path.last()) {
+            (Some(moved), Some(last)) => (by, last.frame_from_robot * moved),
+            _ => (Placement::First, Pose::IDENTITY),
+        };
+        let placed = self.store_new(&view, &matches, map_from_robot);
+        let step = self.remember_view(reading.t, map_from_robot, reading.odom_from_robot);
+        let report = StepReport::new((step, reading.t), view, placement, map_from_robot);
+        StepReport { matches, placed, ..report }
     }
 
     /// Stores one surface.

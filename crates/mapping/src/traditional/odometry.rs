@@ -1,4 +1,3 @@
-use cogmap_geometry::Pose;
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -43,17 +42,9 @@ impl Odometry {
         if !self.params.cadence.takes(reading, self.memory.odom_from_last()) {
             return None;
         }
-        let (t, odom_from_robot) = (reading.t, reading.odom_from_robot);
         let view = extract(&reading.scan, &self.params.extraction);
-        let moved = self.memory.moved_to(odom_from_robot);
-        let matches = self.memory.recognise(&view, moved, &self.params.matching);
-        let (placement, map_from_robot) = match (moved, self.memory.path().last()) {
-            (Some(moved), Some(last)) => (Placement::Odometry, last.frame_from_robot * moved),
-            _ => (Placement::First, Pose::IDENTITY),
-        };
-        let placed = self.memory.store_new(&view, &matches, map_from_robot);
-        let step = self.memory.remember_view(t, map_from_robot, odom_from_robot);
-        let report = StepReport::new((step, t), view, placement, map_from_robot);
-        Some(StepReport { matches, placed, ..report })
+        let moved = self.memory.moved_to(reading.odom_from_robot);
+        let by = (Placement::Odometry, moved);
+        Some(self.memory.transform(view, reading, by, &self.params.matching))
     }
 }
