@@ -17,3 +17,6 @@ mod goldens;
 
 // One session gives the same map natively, in Node and in a browser.
 mod same_bytes;
+
+// What is stored stays as it is, whatever the mapper.
+mod stable_memory;
