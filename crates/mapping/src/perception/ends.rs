@@ -91,12 +91,19 @@ fn open_kind(
         return End::RangeLimit;
     };
     match neighbour.filter(|n| n.beam == beam) {
+        Some(seen) if touches(seen, end, scan) => End::True,
         Some(seen) if goes_on(line, end, seen, expected) => End::RangeLimit,
         Some(seen) if seen.range < expected => End::Occlusion,
         Some(_) => End::True,
         None if grazing(line, end) => End::RangeLimit,
         None => End::True,
     }
+}
+
+/// Whether the next point stands where the end is, so that two surfaces meet there, however slightly
+/// they are turned against each other.
+fn touches(seen: &Point, end: &Point, scan: &Scan) -> bool {
+    seen.at.distance(end.at) <= 0.10 + 3.0 * end.range * scan.angle_increment
 }
 
 /// Whether the surface goes on at the next beam, only bent a little or too thinly sampled to follow.
