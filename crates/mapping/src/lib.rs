@@ -3,7 +3,8 @@
 //!
 //! The rooms follow the thesis: [`perception`] turns a scan into surfaces (§3.1.1), [`memory`]
 //! places surfaces relative to recognised ones and never moves what is stored (§3.2.1),
-//! [`traditional`] puts views together by odometry (§3.1.2). One call drives it all:
+//! [`places`] finds exits and shares the map out among local spaces (§3.2.2), [`traditional`] puts
+//! views together by odometry (§3.1.2). One call drives it all:
 //! [`Mapper::observe`] takes a [`Reading`](perception::Reading) in and gives a [`StepReport`] out,
 //! which says what was recognised, what became the reference, and what was placed.
 //!
@@ -39,6 +40,7 @@ mod cadence;
 mod mapper;
 pub mod memory;
 pub mod perception;
+pub mod places;
 mod report;
 pub mod traditional;
 

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     memory::{Consensus, ConsensusParams, FrameId, Memory, Mfis, Perceptual, PerceptualParams},
     perception::Reading,
+    places::{Network, Places},
     report::StepReport,
     traditional::{Odometry, OdometryParams, Transform, TransformParams},
 };
@@ -67,7 +68,14 @@ pub struct PathPoint {
 
 /// A mapper at work: the one way in is [`Mapper::observe`].
 #[derive(Clone, Debug)]
-pub enum Mapper {
+pub struct Mapper {
+    mind: Mind,
+    /// The mappers of the theory share their map out among local spaces; the traditional ones do not.
+    places: Option<Places>,
+}
+
+#[derive(Clone, Debug)]
+enum Mind {
     /// §3.2.1.
     Perceptual(Perceptual),
     /// Ours.
@@ -82,34 +90,51 @@ impl Mapper {
     /// A mapper with an empty memory; what is random in it comes from `seed`.
     #[must_use]
     pub fn new(setup: &MapperSetup, seed: u64) -> Self {
-        match setup {
-            MapperSetup::Perceptual(params) => Self::Perceptual(Perceptual::new(params)),
-            MapperSetup::Consensus(params) => Self::Consensus(Box::new(Consensus::new(params))),
-            MapperSetup::Transform(params) => Self::Transform(Transform::new(params, seed)),
-            MapperSetup::Odometry(params) => Self::Odometry(Odometry::new(params)),
-        }
+        let (mind, places) = match setup {
+            MapperSetup::Perceptual(params) => {
+                (Mind::Perceptual(Perceptual::new(params)), Some(Places::new(&params.places)))
+            }
+            MapperSetup::Consensus(params) => {
+                (Mind::Consensus(Box::new(Consensus::new(params))), Some(Places::new(&params.places)))
+            }
+            MapperSetup::Transform(params) => (Mind::Transform(Transform::new(params, seed)), None),
+            MapperSetup::Odometry(params) => (Mind::Odometry(Odometry::new(params)), None),
+        };
+        Self { mind, places }
     }
 
     /// Takes a reading in; `None` where the mapper lets it pass (views are taken at the ends of
     /// steps, and by distance while a person drives).
     pub fn observe(&mut self, reading: &Reading) -> Option<StepReport> {
-        match self {
-            Self::Perceptual(mapper) => mapper.observe(reading),
-            Self::Consensus(mapper) => Some(mapper.observe(reading)),
-            Self::Transform(mapper) => mapper.observe(reading),
-            Self::Odometry(mapper) => mapper.observe(reading),
-        }
+        // §3.2.1: the view becomes part of the map …
+        let mut report = match &mut self.mind {
+            Mind::Perceptual(mapper) => mapper.observe(reading),
+            Mind::Consensus(mapper) => Some(mapper.observe(reading)),
+            Mind::Transform(mapper) => mapper.observe(reading),
+            Mind::Odometry(mapper) => mapper.observe(reading),
+        }?;
+        // … §3.2.2: and the map is shared out among local spaces.
+        let memory = self.mind.memory();
+        report.place = self.places.as_mut().map(|places| places.follow(&report, memory));
+        Some(report)
     }
 
     /// What it remembers: the map and the path.
     #[must_use]
     pub fn memory(&self) -> &Memory {
-        match self {
-            Self::Perceptual(mapper) => mapper.memory(),
-            Self::Consensus(mapper) => mapper.memory(),
-            Self::Transform(mapper) => mapper.memory(),
-            Self::Odometry(mapper) => mapper.memory(),
-        }
+        self.mind.memory()
+    }
+
+    /// The local spaces and exits that it found; `None` for the traditional mappers, which know none.
+    #[must_use]
+    pub fn network(&self) -> Option<&Network> {
+        self.places.as_ref().map(Places::network)
+    }
+
+    /// Whether it only ever adds up what the wheels say.
+    #[must_use]
+    pub fn is_odometry(&self) -> bool {
+        matches!(self.mind, Mind::Odometry(_))
     }
 
     /// The map.
@@ -130,5 +155,16 @@ impl Mapper {
     pub fn map_from_robot(&self, odom_from_robot: Pose) -> Option<Pose> {
         let last = self.memory().path().last()?;
         Some(self.mfis().place_of(last) * self.memory().moved_to(odom_from_robot)?)
+    }
+}
+
+impl Mind {
+    fn memory(&self) -> &Memory {
+        match self {
+            Self::Perceptual(mapper) => mapper.memory(),
+            Self::Consensus(mapper) => mapper.memory(),
+            Self::Transform(mapper) => mapper.memory(),
+            Self::Odometry(mapper) => mapper.memory(),
+        }
     }
 }

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     memory::{Along, FrameId, Match, Reference, SurfaceId},
     perception::View,
+    places::{AsrId, ExitId, PlaceReport},
     traditional::Correction,
 };
 
@@ -30,6 +31,8 @@ pub struct StepReport {
     pub recalled: Option<Recalled>,
     /// How the traditional mapper corrected the measured movement.
     pub correction: Option<Correction>,
+    /// What it means for the network of local spaces; `None` for the traditional mappers.
+    pub place: Option<PlaceReport>,
     /// Where the robot is in its map.
     pub map_from_robot: Pose,
 }
@@ -105,6 +108,36 @@ pub enum Event {
     },
     /// The robot found itself back in a place that it knew.
     Recognised(Recalled),
+    /// An exit was crossed (§3.2.2); it is recognised only now that it lies behind the robot.
+    Exit {
+        /// Which.
+        exit: ExitId,
+        /// One sentence for people.
+        why: String,
+    },
+    /// A new local space was opened behind an exit.
+    NewAsr {
+        /// Which.
+        asr: AsrId,
+        /// The exit that led to it.
+        exit: ExitId,
+        /// How many surfaces were moved to it because they had been seen through the exit.
+        moved: usize,
+    },
+    /// The robot is back in a local space that it knew; the network says so, the map stays (§3.2.3).
+    LoopClosed {
+        /// The space that it is back in.
+        asr: AsrId,
+        /// The newer space that turned out to be the same.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        instead_of: Option<AsrId>,
+        /// The exit that now leads to the known space.
+        exit: ExitId,
+        /// The share of the new space that lies in the old one.
+        overlap: f64,
+        /// One sentence for people.
+        why: String,
+    },
     /// The robot drove into something while it was moving.
     Collision {
         /// Where, in the world.
@@ -116,9 +149,19 @@ impl StepReport {
     /// A report of a view in which nothing was recognised and nothing placed.
     #[must_use]
     pub fn new((step, t): (usize, f64), view: View, placement: Placement, map_from_robot: Pose) -> Self {
-        let (matches, references, placed) = (Vec::new(), Vec::new(), Vec::new());
-        let (recalled, correction) = (None, None);
-        Self { step, t, view, matches, references, placed, placement, recalled, correction, map_from_robot }
+        Self {
+            step,
+            t,
+            view,
+            matches: Vec::new(),
+            references: Vec::new(),
+            placed: Vec::new(),
+            placement,
+            recalled: None,
+            correction: None,
+            place: None,
+            map_from_robot,
+        }
     }
 
     /// What the step amounts to in the event log, in the order of §3.2.1's steps.
@@ -142,6 +185,7 @@ impl StepReport {
             events.push(Event::Placed { surfaces: self.placed.clone() });
         }
         events.extend(self.recalled.map(Event::Recognised));
+        events.extend(self.place.iter().flat_map(|place| place.events.clone()));
         events
     }
 

@@ -103,7 +103,7 @@ fn draw_path(scene: &mut Scene, mind: &Mapper, journal: &MapperJournal, robot: O
     scene.still.push(Item::new(Role::Path, Shape::Polyline(points.clone())));
     scene.still.push(Item::new(Role::PathStep, Shape::Signs(points)));
     scene.explain(Sample::Sign(Role::PathStep), "a view");
-    if matches!(mind, Mapper::Odometry(_)) {
+    if mind.is_odometry() {
         return; // every view is placed by odometry, so marking them would say nothing
     }
     let marks = [

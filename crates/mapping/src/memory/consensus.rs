@@ -26,6 +26,7 @@ use super::{FrameId, Link, LinkKind, Memory, Sighting, SurfaceId};
 use crate::{
     Placement, StepReport,
     perception::{Extraction, Reading, View, extract},
+    places::PlacesParams,
     report::Recalled,
 };
 
@@ -45,6 +46,8 @@ pub struct ConsensusParams {
     pub novelty: Novelty,
     /// How a place known before is found again.
     pub recognition: Recognition,
+    /// How the map is shared out among local spaces.
+    pub places: PlacesParams,
     /// Surfaces are placed each so many metres …
     pub place_distance: f64,
     /// … or each so many radians.
@@ -62,6 +65,7 @@ impl Default for ConsensusParams {
             reach: Reach::default(),
             novelty: Novelty::default(),
             recognition: Recognition::default(),
+            places: PlacesParams::default(),
             place_distance: 0.2,
             place_turn: 8.6 * trig::PI / 180.0,
             frame_size: 4.0,
@@ -168,7 +172,7 @@ impl Consensus {
         let place = self.recall.consider(
             lines,
             (self.frame, self.frame_from_robot),
-            &self.surroundings,
+            (self.memory.mfis(), &self.surroundings),
             (&self.params.recognition, &self.params.alignment),
         )?;
         let recalled = Recalled { frame: place.frame, left: self.frame, way: place.way };
@@ -201,7 +205,6 @@ impl Consensus {
     fn link(&mut self, from: FrameId, to: FrameId, from_from_to: Pose, kind: LinkKind) {
         let step = self.memory.path().len();
         self.memory.link(Link { from, to, from_from_to, step, kind });
-        self.surroundings.link(from, to, from_from_to);
     }
 
     fn enter(&mut self, frame: FrameId, current_from_frame: Pose) {
@@ -209,7 +212,7 @@ impl Consensus {
         self.frame_from_robot = frame_from_current * self.frame_from_robot;
         self.frame_from_last_placing = frame_from_current * self.frame_from_last_placing;
         self.frame = frame;
-        self.surroundings.centre_on(frame, &self.params.reach);
+        self.surroundings.centre_on(self.memory.mfis(), frame, &self.params.reach);
     }
 
     /// Closes the step: where the robot was, and what told it.

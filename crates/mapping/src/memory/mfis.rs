@@ -1,6 +1,9 @@
-use cogmap_geometry::{Pose, Segment};
+use std::collections::BTreeMap;
+
+use cogmap_geometry::{DVec2, Pose, Segment};
 use serde::{Deserialize, Serialize};
 
+use super::{Frame, FrameId, Link, Way, frames::Frames, index::Index};
 use crate::{
     PathPoint,
     perception::{End, Surface},
@@ -9,10 +12,6 @@ use crate::{
 /// Names a surface of one MFIS, in the order of storing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct SurfaceId(pub u32);
-
-/// Names a local frame of one MFIS, in the order of opening; frame 0 is the map's.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-pub struct FrameId(pub u32);
 
 /// A surface as it was placed when it was first seen; it never changes (§3.2.1, the stable world).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -31,59 +30,21 @@ pub struct StoredSurface {
     pub index_in_view: usize,
 }
 
-/// A coordinate system fixed to a place. Most mappers know one; with several, each place keeps the
-/// layout that it had when it was first seen, and only the links say how they lie to each other.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Frame {
-    /// Its name.
-    pub id: FrameId,
-    /// Where it lay in the map when it was opened; for drawing, and never changed.
-    pub map_from_frame: Pose,
-}
-
-/// How one frame lies seen from another.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Link {
-    /// The frame that it starts from.
-    pub from: FrameId,
-    /// The frame that it leads to.
-    pub to: FrameId,
-    /// Where the second lies in the first.
-    pub from_from_to: Pose,
-    /// The view in which it was made.
-    pub step: usize,
-    /// What made it.
-    pub kind: LinkKind,
-}
-
-/// What made a link.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum LinkKind {
-    /// The robot went from one to the other.
-    Passage,
-    /// The robot recognised a place that it had been to.
-    Recognised,
-}
-
 /// The memory for one's immediate surroundings (§2.2.2): a map in world-fixed frames. Surfaces,
 /// frames and links are added and never altered: there is no way to reach a stored one for writing.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// A surface can be forgotten; its name is never given to another.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mfis {
     surfaces: Vec<StoredSurface>,
-    frames: Vec<Frame>,
-    links: Vec<Link>,
-}
-
-impl Default for Mfis {
-    fn default() -> Self {
-        let map = Frame { id: FrameId(0), map_from_frame: Pose::IDENTITY };
-        Self { surfaces: Vec::new(), frames: vec![map], links: Vec::new() }
-    }
+    /// For each surface the view in which it was forgotten.
+    forgotten: Vec<Option<usize>>,
+    frames: Frames,
+    index: Index,
 }
 
 impl Mfis {
-    /// Everything stored, oldest first; each surface in its own frame.
+    /// Everything ever stored, oldest first; each surface in its own frame. What was forgotten since
+    /// is still listed, see [`Mfis::remembers`].
     #[must_use]
     pub fn surfaces(&self) -> &[StoredSurface] {
         &self.surfaces
@@ -95,22 +56,56 @@ impl Mfis {
         self.surfaces.get(id.0 as usize)
     }
 
+    /// Whether a surface is stored and has not been forgotten.
+    #[must_use]
+    pub fn remembers(&self, id: SurfaceId) -> bool {
+        self.forgotten.get(id.0 as usize).is_some_and(Option::is_none)
+    }
+
+    /// The view in which a surface was forgotten.
+    #[must_use]
+    pub fn forgotten_in(&self, id: SurfaceId) -> Option<usize> {
+        self.forgotten.get(id.0 as usize).copied().flatten()
+    }
+
+    /// What is remembered, oldest first.
+    pub fn remembered(&self) -> impl Iterator<Item = &StoredSurface> {
+        self.surfaces.iter().filter(|surface| self.remembers(surface.id))
+    }
+
+    /// The remembered surfaces of a frame that come within `radius` metres of a point of that frame,
+    /// oldest first; what it costs depends on how many those are, not on the size of the map.
+    pub fn near(&self, frame: FrameId, at: DVec2, radius: f64) -> impl Iterator<Item = &StoredSurface> {
+        self.index
+            .around(frame, at, radius)
+            .into_iter()
+            .filter_map(|id| self.get(id))
+            .filter(move |surface| surface.segment.distance_to(at) <= radius && self.remembers(surface.id))
+    }
+
     /// The frames, oldest first; the first is the map's own.
     #[must_use]
     pub fn frames(&self) -> &[Frame] {
-        &self.frames
+        self.frames.all()
     }
 
     /// The links between frames, oldest first.
     #[must_use]
     pub fn links(&self) -> &[Link] {
-        &self.links
+        self.frames.links()
     }
 
     /// Where a frame lay in the map when it was opened.
     #[must_use]
     pub fn map_from_frame(&self, frame: FrameId) -> Pose {
-        self.frames.get(frame.0 as usize).map_or(Pose::IDENTITY, |frame| frame.map_from_frame)
+        self.frames.map_from_frame(frame)
+    }
+
+    /// The shortest ways along the links from a frame to every frame within `reach` metres of way,
+    /// its own included.
+    #[must_use]
+    pub fn ways_from(&self, frame: FrameId, reach: f64) -> BTreeMap<FrameId, Way> {
+        self.frames.ways_from(frame, reach)
     }
 
     /// A stored surface as it is drawn: in the map.
@@ -140,20 +135,26 @@ impl Mfis {
         let Sighting { frame, step, index_in_view } = sighting;
         let (segment, ends) = (frame_from_robot * surface.segment, surface.ends);
         self.surfaces.push(StoredSurface { id, frame, segment, ends, step, index_in_view });
+        self.forgotten.push(None);
+        self.index.insert(frame, segment, id);
         id
+    }
+
+    /// Forgets a surface in a view; what is forgotten already stays so since then.
+    pub(crate) fn forget(&mut self, id: SurfaceId, step: usize) {
+        if let Some(forgotten) = self.forgotten.get_mut(id.0 as usize) {
+            forgotten.get_or_insert(step);
+        }
     }
 
     /// Opens a frame that lies so in the map.
     pub(crate) fn open_frame(&mut self, map_from_frame: Pose) -> FrameId {
-        #[allow(clippy::cast_possible_truncation, reason = "memory ends long before that many frames")]
-        let id = FrameId(self.frames.len() as u32);
-        self.frames.push(Frame { id, map_from_frame });
-        id
+        self.frames.open(map_from_frame)
     }
 
     /// Notes how two frames lie to each other.
     pub(crate) fn link(&mut self, link: Link) {
-        self.links.push(link);
+        self.frames.link(link);
     }
 }
 

@@ -5,6 +5,7 @@ use super::{Along, Matching, Memory, Reference, ReferenceQuality, rank_reference
 use crate::{
     Cadence, Placement, StepReport,
     perception::{Extraction, Reading, View, extract},
+    places::PlacesParams,
 };
 
 /// Every parameter of the perceptual mapper.
@@ -19,11 +20,13 @@ pub struct PerceptualParams {
     pub matching: Matching,
     /// Which recognised surface becomes the reference target.
     pub reference: ReferenceQuality,
+    /// How the map is shared out among local spaces.
+    pub places: PlacesParams,
 }
 
 /// Yeap's perceptual mapping as the thesis programs it (§3.2.1): new surfaces are placed relative to
 /// one recognised surface, after every step; what is stored never changes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Perceptual {
     params: PerceptualParams,
     memory: Memory,

@@ -1,5 +1,4 @@
 use cogmap_geometry::Pose;
-use serde::{Deserialize, Serialize};
 
 use super::{FrameId, Link, Match, Matching, Mfis, Sighting, SurfaceId, match_views};
 use crate::{
@@ -8,7 +7,7 @@ use crate::{
 };
 
 /// A surface of the previous view: how it looked then, and which stored surface it is.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Tracked {
     /// In the previous view's robot frame.
     pub surface: Surface,
@@ -18,7 +17,7 @@ pub struct Tracked {
 
 /// What a mapper carries from one view to the next: the map, the previous view's surfaces with
 /// their stored versions, and where each view was taken.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Memory {
     mfis: Mfis,
     previous: Vec<Tracked>,

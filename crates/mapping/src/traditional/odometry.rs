@@ -19,7 +19,7 @@ pub struct OdometryParams {
 }
 
 /// Views put together by what the wheels say, uncorrected: what any other mapper must beat.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Odometry {
     params: OdometryParams,
     memory: Memory,

@@ -7,7 +7,7 @@ use super::{
     line::Line,
     surroundings::Surroundings,
 };
-use crate::memory::FrameId;
+use crate::memory::{FrameId, Mfis};
 
 /// How a place known before is found again: views must fit an old place's own surfaces for a while,
 /// as a second hypothesis beside the first, before the two places are linked.
@@ -101,17 +101,17 @@ impl Recall {
         &mut self,
         view: &[Line],
         here: (FrameId, Pose),
-        surroundings: &Surroundings,
+        (mfis, surroundings): (&Mfis, &Surroundings),
         (params, alignment): (&Recognition, &Alignment),
     ) -> Option<Place> {
         if !params.on {
             return None;
         }
         if let Some(hypothesis) = self.hypothesis.take() {
-            let known = surroundings.lines_elsewhere(hypothesis.place.frame, params.surroundings, 10.0);
+            let known = surroundings.lines_elsewhere(mfis, hypothesis.place.frame, params.surroundings, 10.0);
             return self.follow(hypothesis, view, &known, (params, alignment));
         }
-        self.hypothesis = begin(view, here, surroundings, (params, alignment));
+        self.hypothesis = begin(view, here, (mfis, surroundings), (params, alignment));
         None
     }
 
@@ -144,11 +144,11 @@ impl Recall {
 fn begin(
     view: &[Line],
     (frame, frame_from_robot): (FrameId, Pose),
-    surroundings: &Surroundings,
+    (mfis, surroundings): (&Mfis, &Surroundings),
     (params, alignment): (&Recognition, &Alignment),
 ) -> Option<Hypothesis> {
     let mut nearest: Option<(FrameId, Pose, f64, f64)> = None;
-    for (old, way) in surroundings.ways_from(frame, f64::INFINITY) {
+    for (old, way) in mfis.ways_from(frame, f64::INFINITY) {
         let old_from_robot = way.here_from_frame.inverse() * frame_from_robot;
         let distance = old_from_robot.position.length();
         let radius = (params.radius + params.drift * way.length).min(params.radius_max);
@@ -158,7 +158,7 @@ fn begin(
         }
     }
     let (old, old_from_robot, _, radius) = nearest?;
-    let known = surroundings.lines_elsewhere(old, params.surroundings, 10.0);
+    let known = surroundings.lines_elsewhere(mfis, old, params.surroundings, 10.0);
     let fit = best_on_grid(view, &known, (old_from_robot, radius), (params, alignment))?;
     let place = Place { frame: old, frame_from_robot: fit.pose, way: 0.0 };
     Some(Hypothesis { place, views: 1, fractions: fit.fraction })

@@ -4,7 +4,7 @@ use cogmap_geometry::Pose;
 use serde::{Deserialize, Serialize};
 
 use super::line::Line;
-use crate::memory::FrameId;
+use crate::memory::{FrameId, Mfis, Way};
 
 /// How much of the memory is near: only that is compared with a view (§2.2.2: the last few spaces).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -22,24 +22,11 @@ impl Default for Reach {
     }
 }
 
-/// How a frame lies seen from another, and how long the way along the links is, metres.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Way {
-    pub(super) here_from_frame: Pose,
-    pub(super) length: f64,
-}
-
-/// A place in the network, and what was stored in it.
-#[derive(Clone, Debug, Default)]
-struct Node {
-    lines: Vec<Line>,
-    links: Vec<(FrameId, Pose)>,
-}
-
-/// The network of frames, and what of it is near the robot's.
+/// What is remembered near the robot, in its frame.
 #[derive(Clone, Debug)]
 pub(super) struct Surroundings {
-    nodes: Vec<Node>,
+    /// For each frame what was stored in it.
+    stored: Vec<Vec<Line>>,
     ways: BTreeMap<FrameId, Way>,
     lines: Vec<Line>,
 }
@@ -48,7 +35,7 @@ impl Default for Surroundings {
     fn default() -> Self {
         let here = Way { here_from_frame: Pose::IDENTITY, length: 0.0 };
         let ways = BTreeMap::from([(FrameId::default(), here)]);
-        Self { nodes: vec![Node::default()], ways, lines: Vec::new() }
+        Self { stored: Vec::new(), ways, lines: Vec::new() }
     }
 }
 
@@ -60,24 +47,17 @@ impl Surroundings {
 
     /// A surface was stored in the robot's frame.
     pub(super) fn remember(&mut self, frame: FrameId, line: Line) {
-        if let Some(node) = self.nodes.get_mut(frame.0 as usize) {
-            node.lines.push(line);
+        let place = frame.0 as usize;
+        if self.stored.len() <= place {
+            self.stored.resize_with(place + 1, Vec::new);
         }
+        self.stored[place].push(line);
         self.lines.push(line);
     }
 
-    pub(super) fn link(&mut self, from: FrameId, to: FrameId, from_from_to: Pose) {
-        let last = from.0.max(to.0) as usize;
-        if self.nodes.len() <= last {
-            self.nodes.resize_with(last + 1, Node::default);
-        }
-        self.nodes[from.0 as usize].links.push((to, from_from_to));
-        self.nodes[to.0 as usize].links.push((from, from_from_to.inverse()));
-    }
-
     /// The robot is in another frame now.
-    pub(super) fn centre_on(&mut self, frame: FrameId, reach: &Reach) {
-        self.ways = self.ways_from(frame, reach.along_links);
+    pub(super) fn centre_on(&mut self, mfis: &Mfis, frame: FrameId, reach: &Reach) {
+        self.ways = mfis.ways_from(frame, reach.along_links);
         self.lines = self.lines_along(&self.ways, reach.radius);
     }
 
@@ -95,40 +75,23 @@ impl Surroundings {
     }
 
     /// What is remembered around another frame but does not belong to the robot's surroundings.
-    pub(super) fn lines_elsewhere(&self, frame: FrameId, along_links: f64, radius: f64) -> Vec<Line> {
-        let mut ways = self.ways_from(frame, along_links);
+    pub(super) fn lines_elsewhere(
+        &self,
+        mfis: &Mfis,
+        frame: FrameId,
+        along_links: f64,
+        radius: f64,
+    ) -> Vec<Line> {
+        let mut ways = mfis.ways_from(frame, along_links);
         ways.retain(|frame, _| !self.ways.contains_key(frame));
         self.lines_along(&ways, radius)
-    }
-
-    /// The shortest ways along the links to every frame within `reach` metres (Dijkstra).
-    pub(super) fn ways_from(&self, start: FrameId, reach: f64) -> BTreeMap<FrameId, Way> {
-        let mut done: BTreeMap<FrameId, Way> = BTreeMap::new();
-        let mut open = vec![(start, Way { here_from_frame: Pose::IDENTITY, length: 0.0 })];
-        let nearest = |open: &[(FrameId, Way)]| {
-            (0..open.len()).min_by(|&a, &b| open[a].1.length.total_cmp(&open[b].1.length))
-        };
-        while let Some(next) = nearest(&open) {
-            let (frame, way) = open.swap_remove(next);
-            if done.contains_key(&frame) {
-                continue;
-            }
-            done.insert(frame, way);
-            for &(to, frame_from_to) in self.nodes.get(frame.0 as usize).map_or(&[][..], |node| &node.links) {
-                let length = way.length + frame_from_to.position.length();
-                if length <= reach && !done.contains_key(&to) {
-                    open.push((to, Way { here_from_frame: way.here_from_frame * frame_from_to, length }));
-                }
-            }
-        }
-        done
     }
 
     fn lines_along(&self, ways: &BTreeMap<FrameId, Way>, radius: f64) -> Vec<Line> {
         ways.iter()
             .filter(|(_, way)| way.here_from_frame.position.length() <= radius)
-            .filter_map(|(frame, way)| Some((self.nodes.get(frame.0 as usize)?, way)))
-            .flat_map(|(node, way)| node.lines.iter().map(|line| line.seen_from(way.here_from_frame)))
+            .filter_map(|(frame, way)| Some((self.stored.get(frame.0 as usize)?, way)))
+            .flat_map(|(stored, way)| stored.iter().map(|line| line.seen_from(way.here_from_frame)))
             .collect()
     }
 }

@@ -1,0 +1,5 @@
+//! Measures of maps, places and rates.
+
+mod rate;
+
+pub use rate::{Interval, Rate};
