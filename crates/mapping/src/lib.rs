@@ -30,6 +30,7 @@
 //!         angle_increment: 1_f64.to_radians(),
 //!         range_max: 8.0,
 //!         ranges: wall_ahead.collect(),
+//!         labels: Vec::new(),
 //!     },
 //! });
 //! assert_eq!(report.unwrap().placed.len(), 1);
@@ -37,6 +38,7 @@
 //! ```
 
 mod cadence;
+mod fallbacks;
 mod mapper;
 pub mod memory;
 pub mod perception;
@@ -45,5 +47,6 @@ mod report;
 pub mod traditional;
 
 pub use cadence::Cadence;
+pub use fallbacks::{FallbackRun, fallback_runs};
 pub use mapper::{Mapper, MapperSetup, PathPoint};
 pub use report::{Event, Placement, Recalled, StepReport};

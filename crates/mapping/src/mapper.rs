@@ -4,7 +4,7 @@ use cogmap_geometry::Pose;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    memory::{Consensus, ConsensusParams, FrameId, Memory, Mfis, Perceptual, PerceptualParams},
+    memory::{Consensus, ConsensusParams, FrameId, Memory, Mfis, Perceptual, PerceptualParams, SurfaceId},
     perception::Reading,
     places::{Network, Places},
     report::StepReport,
@@ -113,9 +113,12 @@ impl Mapper {
             Mind::Transform(mapper) => mapper.observe(reading),
             Mind::Odometry(mapper) => mapper.observe(reading),
         }?;
-        // … §3.2.2: and the map is shared out among local spaces.
-        let memory = self.mind.memory();
-        report.place = self.places.as_mut().map(|places| places.follow(&report, memory));
+        if let Some(places) = &mut self.places {
+            // … §3.2.2: the map is shared out among local spaces …
+            report.place = Some(places.follow(&report, self.mind.memory()));
+            // … §2.2.2: and memory may reach no farther than the last few of them.
+            report.forgot = self.mind.forget(places.network());
+        }
         Some(report)
     }
 
@@ -159,6 +162,13 @@ impl Mapper {
 }
 
 impl Mind {
+    fn forget(&mut self, network: &Network) -> Vec<SurfaceId> {
+        match self {
+            Self::Perceptual(mapper) => mapper.forget(network),
+            Self::Consensus(_) | Self::Transform(_) | Self::Odometry(_) => Vec::new(),
+        }
+    }
+
     fn memory(&self) -> &Memory {
         match self {
             Self::Perceptual(mapper) => mapper.memory(),

@@ -23,6 +23,8 @@ pub struct StepReport {
     pub matches: Vec<Match>,
     /// The reference target, and every other candidate behind it, best first.
     pub references: Vec<Reference>,
+    /// Whether the map took in what was new; in the thesis's program it always does (§3.2.1).
+    pub stored: bool,
     /// The surfaces that were new and are now in the map.
     pub placed: Vec<SurfaceId>,
     /// What placed them.
@@ -33,6 +35,8 @@ pub struct StepReport {
     pub correction: Option<Correction>,
     /// What it means for the network of local spaces; `None` for the traditional mappers.
     pub place: Option<PlaceReport>,
+    /// What was forgotten because the robot has moved on (§2.2.2).
+    pub forgot: Vec<SurfaceId>,
     /// Where the robot is in its map.
     pub map_from_robot: Pose,
 }
@@ -90,6 +94,11 @@ pub enum Event {
     /// New surfaces entered the map.
     Placed {
         /// Their names.
+        surfaces: Vec<SurfaceId>,
+    },
+    /// The robot has moved on to other spaces and no longer remembers these surfaces (§2.2.2).
+    Forgot {
+        /// Their names, which are never given to others.
         surfaces: Vec<SurfaceId>,
     },
     /// No reference was found: this one view was placed by odometry (§3.2.3).
@@ -155,11 +164,13 @@ impl StepReport {
             view,
             matches: Vec::new(),
             references: Vec::new(),
+            stored: true,
             placed: Vec::new(),
             placement,
             recalled: None,
             correction: None,
             place: None,
+            forgot: Vec::new(),
             map_from_robot,
         }
     }
@@ -186,6 +197,9 @@ impl StepReport {
         }
         events.extend(self.recalled.map(Event::Recognised));
         events.extend(self.place.iter().flat_map(|place| place.events.clone()));
+        if !self.forgot.is_empty() {
+            events.push(Event::Forgot { surfaces: self.forgot.clone() });
+        }
         events
     }
 

@@ -1,5 +1,6 @@
 use cogmap_geometry::Pose;
 use cogmap_mapping::perception::Scan;
+use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use crate::{Fan, Hit, LaserParams, RayGrid, chance};
@@ -17,13 +18,15 @@ pub struct Laser {
     params: LaserParams,
     /// Metres, the same for every beam of a run.
     bias: f64,
+    /// Decides which solids can be told apart by sight.
+    sights: u64,
 }
 
 impl Laser {
     /// A laser whose bias is drawn for this run.
     #[must_use]
     pub fn new(params: &LaserParams, rng: &mut Pcg64Mcg) -> Self {
-        Self { params: params.clone(), bias: params.bias * chance::gaussian(rng) }
+        Self { params: params.clone(), bias: params.bias * chance::gaussian(rng), sights: rng.next_u64() }
     }
 
     /// One sweep from where the robot stands, and for each beam the solid that it truly measured;
@@ -50,7 +53,15 @@ impl Laser {
                 *solid = between.is_none().then_some(hit.solid);
             }
         }
+        if self.params.identity > 0.0 {
+            scan.labels = solids.iter().map(|solid| solid.filter(|&solid| self.knows_by_sight(solid))).collect();
+        }
         (scan, solids)
+    }
+
+    fn knows_by_sight(&self, solid: u32) -> bool {
+        let mut rng = Pcg64Mcg::seed_from_u64(self.sights ^ u64::from(solid));
+        chance::uniform(&mut rng) < self.params.identity
     }
 
     fn empty(&self, robot_from_laser: Pose) -> Scan {
@@ -61,6 +72,7 @@ impl Laser {
             angle_increment: field / self.params.beams.saturating_sub(1).max(1) as f64,
             range_max: self.params.range_max,
             ranges: vec![f64::INFINITY; self.params.beams],
+            labels: Vec::new(),
         }
     }
 

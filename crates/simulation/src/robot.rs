@@ -102,6 +102,10 @@ pub struct LaserParams {
     pub mixed_pixels: f64,
     /// Ranges are rounded to multiples of this, metres; 0 keeps them as they are.
     pub resolution: f64,
+    /// Share of the world's solids that can be told apart by sight: a second sensor, which the thesis's
+    /// robot lacks and its last chapter wishes for. Which solids chance decides, anew each run; with a
+    /// greater share the same ones and more.
+    pub identity: f64,
 }
 
 impl Default for LaserParams {
@@ -116,6 +120,7 @@ impl Default for LaserParams {
             grazing_dropout: 0.5,
             mixed_pixels: 0.5,
             resolution: 0.001,
+            identity: 0.0,
         }
     }
 }

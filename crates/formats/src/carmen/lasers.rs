@@ -72,6 +72,7 @@ impl Laser {
                 angle_increment: scan.angle_increment,
                 range_max: self.limit.for_scan(&scan),
                 ranges: scan.ranges,
+                labels: Vec::new(),
             },
         }
     }

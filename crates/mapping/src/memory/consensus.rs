@@ -115,13 +115,14 @@ impl Consensus {
         let moved = self.memory.moved_to(reading.odom_from_robot);
         let fit = moved.map(|moved| self.locate(&lines, moved));
         let (mut placed, mut recalled) = (Vec::new(), None);
-        if self.time_to_place() {
+        let stored = self.time_to_place();
+        if stored {
             placed = self.place(&view, &lines);
             recalled = self.recognise(&lines);
         }
         self.settle();
         let report = self.close(reading, view, fit);
-        StepReport { placed, recalled, ..report }
+        StepReport { stored, placed, recalled, ..report }
     }
 
     /// Begins where odometry puts the robot and lays the view onto what is remembered around there.

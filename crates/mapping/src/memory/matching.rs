@@ -17,6 +17,9 @@ pub struct Matching {
     pub distance_floor: f64,
     /// Added to the difference of orientation, radians: without it any parallel pair would.
     pub angle_floor: f64,
+    /// Factor on both gates where the two sightings carry the same label (ours): what is told apart by
+    /// sight need not be near to where it was expected.
+    pub label_reach: f64,
 }
 
 impl Matching {
@@ -30,7 +33,13 @@ impl Matching {
 
 impl Default for Matching {
     fn default() -> Self {
-        Self { distance: 0.5, angle: 15.0 * trig::PI / 180.0, distance_floor: 0.05, angle_floor: 0.02 }
+        Self {
+            distance: 0.5,
+            angle: 15.0 * trig::PI / 180.0,
+            distance_floor: 0.05,
+            angle_floor: 0.02,
+            label_reach: 4.0,
+        }
     }
 }
 
@@ -63,7 +72,7 @@ pub struct Match {
 /// The error of a pair in one frame. An end that either sighting did not see as a true end says
 /// nothing about where the object ends, so its distance is measured across the line only.
 #[must_use]
-pub fn pair_error(seen: &Surface, known: &Surface, params: &Matching) -> PairError {
+pub fn pair_error(seen: &Surface, known: &Tracked, params: &Matching) -> PairError {
     let d1 = end_distance(seen, known, 0);
     let d2 = end_distance(seen, known, 1);
     let phi = normalize_angle(seen.segment.heading() - known.segment.heading()).abs();
@@ -71,7 +80,7 @@ pub fn pair_error(seen: &Surface, known: &Surface, params: &Matching) -> PairErr
     PairError { d1, d2, phi, error }
 }
 
-fn end_distance(seen: &Surface, known: &Surface, end: usize) -> f64 {
+fn end_distance(seen: &Surface, known: &Tracked, end: usize) -> f64 {
     let (own, other) = (end_of(seen.segment, end), end_of(known.segment, end));
     if seen.ends[end] == End::True && known.ends[end] == End::True {
         return own.distance(other);
@@ -95,32 +104,51 @@ pub fn match_views(
     params: &Matching,
 ) -> Vec<Match> {
     let current_from_previous = previous_from_current.inverse();
-    let projected: Vec<Surface> =
-        previous.iter().map(|tracked| tracked.surface.seen_from(current_from_previous)).collect();
+    let projected: Vec<Tracked> = previous.iter().map(|known| known.seen_from(current_from_previous)).collect();
     let mut pairs = Vec::new();
     for (seen, surface) in current.iter().enumerate() {
-        for (index, known) in projected.iter().enumerate() {
+        for (previous, known) in projected.iter().enumerate() {
+            let Some(gates) = gates(surface.label, known.label, params) else { continue };
             let fit = pair_error(surface, known, params);
-            if fit.d1 <= params.distance && fit.d2 <= params.distance && fit.phi <= params.angle {
-                pairs.push(Match { seen, previous: Some(index), known: previous[index].known, fit });
+            if fit.d1.max(fit.d2) <= gates.distance && fit.phi <= gates.angle {
+                pairs.push(Pair { seen, previous, fit });
             }
         }
     }
-    best_partners(pairs, current.len(), previous.len())
+    let partners = best_partners(pairs, current.len(), previous.len()).into_iter();
+    partners
+        .filter_map(|Pair { seen, previous: place, fit }| {
+            Some(Match { seen, previous: Some(place), known: previous[place].known?, fit })
+        })
+        .collect()
+}
+
+/// Two sightings that may be of one surface.
+struct Pair {
+    seen: usize,
+    previous: usize,
+    fit: PairError,
+}
+
+/// The gates that a pair must pass. A thing known by sight is nothing else: it pairs with its own label
+/// only; `None` for two that cannot be one.
+fn gates(seen: Option<u32>, known: Option<u32>, params: &Matching) -> Option<Matching> {
+    let reach = if seen.is_some() { params.label_reach } else { 1.0 };
+    let wider = Matching { distance: params.distance * reach, angle: params.angle * reach, ..*params };
+    (seen == known).then_some(wider)
 }
 
 /// One partner each: the pair with the least error takes both of its surfaces.
-fn best_partners(mut pairs: Vec<Match>, current: usize, previous: usize) -> Vec<Match> {
+fn best_partners(mut pairs: Vec<Pair>, current: usize, previous: usize) -> Vec<Pair> {
     pairs.sort_by(|a, b| {
         a.fit.error.total_cmp(&b.fit.error).then(a.seen.cmp(&b.seen)).then(a.previous.cmp(&b.previous))
     });
     let (mut seen_taken, mut previous_taken) = (vec![false; current], vec![false; previous]);
     pairs.retain(|pair| {
-        let Some(previous) = pair.previous else { return false };
-        let free = !seen_taken[pair.seen] && !previous_taken[previous];
+        let free = !seen_taken[pair.seen] && !previous_taken[pair.previous];
         if free {
             seen_taken[pair.seen] = true;
-            previous_taken[previous] = true;
+            previous_taken[pair.previous] = true;
         }
         free
     });
@@ -137,7 +165,7 @@ mod tests {
 
     fn wall(a: DVec2, b: DVec2, ends: [End; 2]) -> Surface {
         let segment = Segment::new(a, b);
-        Surface { segment, ends, beams: [0, 9], points: 10, residual: 0.0, range: 2.0, incidence: 0.3 }
+        Surface { segment, ends, beams: [0, 9], points: 10, residual: 0.0, range: 2.0, incidence: 0.3, label: None }
     }
 
     fn true_wall(ax: f64, ay: f64, bx: f64, by: f64) -> Surface {
@@ -145,7 +173,7 @@ mod tests {
     }
 
     fn error(seen: &Surface, known: &Surface) -> PairError {
-        pair_error(seen, known, &Matching::default())
+        pair_error(seen, &Tracked::seen(known, None), &Matching::default())
     }
 
     proptest! {
@@ -183,17 +211,39 @@ mod tests {
     fn a_wall_is_never_taken_for_its_back() {
         let front = true_wall(2.0, -1.0, 2.0, 1.0);
         let back = true_wall(2.05, 1.0, 2.05, -1.0);
-        let tracked = [Tracked { surface: front, known: SurfaceId(0) }];
+        let tracked = [Tracked::seen(&front, Some(SurfaceId(0)))];
         assert!(match_views(&[back], &tracked, Pose::IDENTITY, &Matching::default()).is_empty());
     }
 
     #[test]
     fn the_better_of_two_candidates_becomes_the_partner() {
         let tracked = [true_wall(2.0, -1.0, 2.0, 1.0), true_wall(2.2, -1.0, 2.2, 1.0)]
-            .map(|surface| Tracked { surface, known: SurfaceId(0) });
+            .map(|surface| Tracked::seen(&surface, Some(SurfaceId(0))));
         let matches =
             match_views(&[true_wall(2.18, -1.0, 2.18, 1.0)], &tracked, Pose::IDENTITY, &Matching::default());
         assert_eq!(matches.len(), 1);
         assert_eq!(matches[0].previous, Some(1));
+    }
+
+    #[test]
+    fn a_surface_without_a_stored_version_takes_its_partner_and_gives_no_match() {
+        let unnamed = Tracked::seen(&true_wall(2.2, -1.0, 2.2, 1.0), None);
+        let named = Tracked::seen(&true_wall(2.0, -1.0, 2.0, 1.0), Some(SurfaceId(0)));
+        let seen = [true_wall(2.18, -1.0, 2.18, 1.0)];
+        assert_eq!(match_views(&seen, &[named, unnamed], Pose::IDENTITY, &Matching::default()), []);
+    }
+
+    /// What a camera tells apart: a label pairs with its own only, and from farther off.
+    #[test]
+    fn a_labelled_surface_pairs_with_its_own_label_alone_and_within_wider_gates() {
+        let labelled = |x: f64, label| Surface { label, ..true_wall(x, -1.0, x, 1.0) };
+        let found = |seen: Option<u32>, known: Option<u32>, apart: f64| {
+            let tracked = [Tracked::seen(&labelled(2.0, known), Some(SurfaceId(0)))];
+            let seen = [labelled(2.0 + apart, seen)];
+            !match_views(&seen, &tracked, Pose::IDENTITY, &Matching::default()).is_empty()
+        };
+        assert!(found(None, None, 0.1) && !found(None, None, 1.5));
+        assert!(found(Some(7), Some(7), 1.5) && !found(Some(7), Some(7), 2.5));
+        assert!(!found(Some(7), Some(8), 0.1) && !found(Some(7), None, 0.1) && !found(None, Some(7), 0.1));
     }
 }

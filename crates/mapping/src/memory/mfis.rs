@@ -28,6 +28,9 @@ pub struct StoredSurface {
     pub step: usize,
     /// Which surface of that view it was.
     pub index_in_view: usize,
+    /// Which thing it is, if the robot could tell that by sight.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub label: Option<u32>,
 }
 
 /// The memory for one's immediate surroundings (§2.2.2): a map in world-fixed frames. Surfaces,
@@ -114,6 +117,18 @@ impl Mfis {
         self.map_from_frame(surface.frame) * surface.segment
     }
 
+    /// What is remembered, seen from an origin of one's own choice, oldest first (§2.2.2: the preferred
+    /// one is the entrance of the space in which the robot is). It is a way of looking at the map:
+    /// what is stored stays where it is, so that coming back to the map's own frame changes nothing.
+    pub fn seen_from(
+        &self,
+        frame: FrameId,
+        frame_from_origin: Pose,
+    ) -> impl Iterator<Item = (SurfaceId, Segment)> {
+        let origin_from_map = (self.map_from_frame(frame) * frame_from_origin).inverse();
+        self.remembered().map(move |stored| (stored.id, origin_from_map * self.in_map(stored)))
+    }
+
     /// Where the robot was when it took a view, in the map.
     #[must_use]
     pub fn place_of(&self, point: &PathPoint) -> Pose {
@@ -133,8 +148,8 @@ impl Mfis {
         )]
         let id = SurfaceId(self.surfaces.len() as u32);
         let Sighting { frame, step, index_in_view } = sighting;
-        let (segment, ends) = (frame_from_robot * surface.segment, surface.ends);
-        self.surfaces.push(StoredSurface { id, frame, segment, ends, step, index_in_view });
+        let (segment, ends, label) = (frame_from_robot * surface.segment, surface.ends, surface.label);
+        self.surfaces.push(StoredSurface { id, frame, segment, ends, step, index_in_view, label });
         self.forgotten.push(None);
         self.index.insert(frame, segment, id);
         id

@@ -1,14 +1,19 @@
+use std::num::NonZeroU32;
+
 use cogmap_geometry::Pose;
 use serde::{Deserialize, Serialize};
 
-use super::{Along, Matching, Memory, Reference, ReferenceQuality, rank_references};
+use super::{
+    Along, Match, MatchScope, Matching, Memory, Reference, ReferenceQuality, SurfaceId, Update,
+    forgetting::RecentSpaces, rank_references, scope::match_remembered,
+};
 use crate::{
     Cadence, Placement, StepReport,
     perception::{Extraction, Reading, View, extract},
-    places::PlacesParams,
+    places::{Network, PlacesParams},
 };
 
-/// Every parameter of the perceptual mapper.
+/// Every parameter of the perceptual mapper; the defaults are the thesis's program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct PerceptualParams {
@@ -18,25 +23,33 @@ pub struct PerceptualParams {
     pub extraction: Extraction,
     /// When two sightings are one surface.
     pub matching: Matching,
+    /// What a view is compared with.
+    pub scope: MatchScope,
     /// Which recognised surface becomes the reference target.
     pub reference: ReferenceQuality,
+    /// When the map takes in what is new.
+    pub update: Update,
+    /// How many local spaces are remembered, the current one included: the theory's memory reaches a few
+    /// (§2.2.2; ours would be 3). `None` forgets nothing, as the thesis's program while it maps.
+    pub spaces: Option<NonZeroU32>,
     /// How the map is shared out among local spaces.
     pub places: PlacesParams,
 }
 
 /// Yeap's perceptual mapping as the thesis programs it (§3.2.1): new surfaces are placed relative to
-/// one recognised surface, after every step; what is stored never changes.
+/// one recognised surface; what is stored never changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Perceptual {
     params: PerceptualParams,
     memory: Memory,
+    recent: RecentSpaces,
 }
 
 impl Perceptual {
     /// A mapper with an empty memory.
     #[must_use]
     pub fn new(params: &PerceptualParams) -> Self {
-        Self { params: *params, memory: Memory::default() }
+        Self { params: *params, memory: Memory::default(), recent: RecentSpaces::default() }
     }
 
     /// What it remembers.
@@ -56,17 +69,42 @@ impl Perceptual {
     pub fn integrate(&mut self, view: View, t: f64, odom_from_robot: Pose) -> StepReport {
         // Steps 1 to 3 and 5: the robot has turned and moved, by roughly this much, and has looked.
         let moved = self.memory.moved_to(odom_from_robot);
-        // Step 6: the surfaces that the current and the previous view have in common …
-        let matches = self.memory.recognise(&view, moved, &self.params.matching);
-        // … one of which becomes the reference target. The movement is forgotten from here on.
-        let references =
-            rank_references(&view.surfaces, &matches, self.memory.mfis(), &self.params.reference);
+        // Step 6: the surfaces that the current and the previous view have in common, one of which
+        // becomes the reference target. The movement is forgotten from here on.
+        let (matches, references) = self.compare(&view, moved);
         let (placement, map_from_robot) = self.place(references.first(), moved);
         // Step 4, the whole first view, and step 7, later whatever is new.
-        let placed = self.memory.store_new(&view, &matches, map_from_robot);
+        let stored = self.params.update.needs(&view, &matches);
+        let placed = if stored {
+            self.memory.store_new(&view, &matches, map_from_robot)
+        } else {
+            self.memory.track(&view, &matches);
+            Vec::new()
+        };
         let step = self.memory.remember_view(t, map_from_robot, odom_from_robot);
         let report = StepReport::new((step, t), view, placement, map_from_robot);
-        StepReport { matches, references, placed, ..report }
+        StepReport { matches, references, stored, placed, ..report }
+    }
+
+    /// The common surfaces, and those of them that can be the reference target, best first.
+    fn compare(&self, view: &View, moved: Option<Pose>) -> (Vec<Match>, Vec<Reference>) {
+        let (mfis, params) = (self.memory.mfis(), &self.params);
+        let mut matches = self.memory.recognise(view, moved, &params.matching);
+        let references = rank_references(&view.surfaces, &matches, mfis, &params.reference);
+        if params.scope == MatchScope::PreviousView {
+            return (matches, references);
+        }
+        let (_, roughly_here) = self.place(references.first(), moved);
+        matches.extend(match_remembered(view, &matches, (mfis, roughly_here), &params.matching));
+        matches.sort_by_key(|m| m.seen);
+        let references = rank_references(&view.surfaces, &matches, mfis, &params.reference);
+        (matches, references)
+    }
+
+    /// Forgets what lies beyond the last few local spaces, if the memory is limited to them (§2.2.2).
+    pub(crate) fn forget(&mut self, network: &Network) -> Vec<SurfaceId> {
+        let Some(limit) = self.params.spaces else { return Vec::new() };
+        self.recent.limit(&mut self.memory, network, limit.get() as usize)
     }
 
     /// Where the view lies in the map: by its reference target; by odometry where there is none

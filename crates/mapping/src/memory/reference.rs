@@ -10,6 +10,8 @@ use crate::perception::{End, Surface};
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct ReferenceQuality {
+    /// What makes one pair better than another.
+    pub rule: ReferenceRule,
     /// Recognised surfaces shorter than this, in either sighting, are no candidates, metres.
     pub min_length: f64,
     /// A range below this counts as this, metres: very near is no better than near.
@@ -27,6 +29,7 @@ pub struct ReferenceQuality {
 impl Default for ReferenceQuality {
     fn default() -> Self {
         Self {
+            rule: ReferenceRule::Quality,
             min_length: 0.3,
             range_floor: 2.0,
             length_agreement: 0.1,
@@ -35,6 +38,18 @@ impl Default for ReferenceQuality {
             weak: 0.1,
         }
     }
+}
+
+/// Which recognised pair becomes the reference target.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ReferenceRule {
+    /// A long, near surface seen squarely: the thesis's program after the failure of Fig. 3.17.
+    #[default]
+    Quality,
+    /// The closest-matching pair, as before that failure (§3.2.1, step 6). How closely two sightings match
+    /// depends on the rough movement, so odometry has a say in the choice, though not in the placing.
+    ClosestPair,
 }
 
 /// What fixes the place along the reference's own line.
@@ -83,20 +98,25 @@ pub fn rank_references(
     mfis: &Mfis,
     params: &ReferenceQuality,
 ) -> Vec<Reference> {
+    let by_quality = params.rule == ReferenceRule::Quality;
     let pairs: Vec<Pair<'_>> = matches
         .iter()
         .filter_map(|m| Some((m, view.get(m.seen)?, mfis.get(m.known)?)))
-        .filter(|(_, seen, known)| seen.length().min(known.segment.length()) >= params.min_length)
+        .filter(|(_, seen, known)| {
+            !by_quality || seen.length().min(known.segment.length()) >= params.min_length
+        })
         .map(|(m, seen, known)| Pair {
             seen_index: m.seen,
             seen,
             known,
-            quality: quality(seen, known, params),
+            quality: if by_quality { quality(seen, known, params) } else { 1.0 / m.fit.error },
         })
         .collect();
     let mut references: Vec<Reference> =
         pairs.iter().filter_map(|pair| reference(pair, &pairs, params)).collect();
-    set_aside_outliers(&mut references, params);
+    if by_quality {
+        set_aside_outliers(&mut references, params);
+    }
     references.sort_by(|a, b| b.quality.total_cmp(&a.quality).then(a.seen.cmp(&b.seen)));
     references
 }
@@ -122,7 +142,10 @@ fn reference(pair: &Pair<'_>, pairs: &[Pair<'_>], params: &ReferenceQuality) -> 
             Some(partner) => {
                 (Along::Crossing(partner.known.id), position_by_crossing(pair, partner, heading)?, 1.0)
             }
-            None => (Along::GuessedEnd, position_by_end(pair, guessed_end(pair)?, heading), params.weak),
+            None => {
+                let factor = if params.rule == ReferenceRule::Quality { params.weak } else { 1.0 };
+                (Along::GuessedEnd, position_by_end(pair, guessed_end(pair)?, heading), factor)
+            }
         },
     };
     Some(Reference {

@@ -1,18 +1,44 @@
-use cogmap_geometry::Pose;
+use cogmap_geometry::{Pose, Segment};
 
-use super::{FrameId, Link, Match, Matching, Mfis, Sighting, SurfaceId, match_views};
+use super::{FrameId, Link, Match, Matching, Mfis, Sighting, StoredSurface, SurfaceId, match_views};
 use crate::{
     PathPoint, Placement, StepReport,
-    perception::{Reading, Surface, View},
+    perception::{End, Reading, Surface, View},
 };
 
-/// A surface of the previous view: how it looked then, and which stored surface it is.
-#[derive(Clone, Debug, PartialEq)]
+/// What a view is compared with: a surface of the previous view, and which stored surface it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tracked {
-    /// In the previous view's robot frame.
-    pub surface: Surface,
+    /// In the previous view's robot frame, metres.
+    pub segment: Segment,
+    /// Why it ended where it did.
+    pub ends: [End; 2],
+    /// Which thing it is, if the robot could tell that by sight.
+    pub label: Option<u32>,
     /// Its first stored version; handed on from sighting to sighting, so that tracking does not drift.
-    pub known: SurfaceId,
+    /// `None` where its view was not stored, or what was stored is forgotten.
+    pub known: Option<SurfaceId>,
+}
+
+impl Tracked {
+    /// A surface of a view under the name that it is known by.
+    #[must_use]
+    pub fn seen(surface: &Surface, known: Option<SurfaceId>) -> Self {
+        Self { segment: surface.segment, ends: surface.ends, label: surface.label, known }
+    }
+
+    /// A surface as it is stored, in its own frame.
+    #[must_use]
+    pub fn stored(stored: &StoredSurface) -> Self {
+        let StoredSurface { id, segment, ends, label, .. } = *stored;
+        Self { segment, ends, label, known: Some(id) }
+    }
+
+    /// The same from another frame.
+    #[must_use]
+    pub fn seen_from(&self, other_from_here: Pose) -> Self {
+        Self { segment: other_from_here * self.segment, ..*self }
+    }
 }
 
 /// What a mapper carries from one view to the next: the map, the previous view's surfaces with
@@ -59,10 +85,8 @@ impl Memory {
         let Some(last) = self.path.last() else { return Vec::new() };
         let robot_from_map = self.mfis.place_of(last).inverse();
         let as_stored = |tracked: &Tracked| {
-            let stored = self.mfis.get(tracked.known)?;
-            let surface =
-                Surface { segment: robot_from_map * self.mfis.in_map(stored), ..tracked.surface.clone() };
-            Some(Tracked { surface, known: tracked.known })
+            let stored = self.mfis.get(tracked.known?)?;
+            Some(Tracked { segment: robot_from_map * self.mfis.in_map(stored), ..*tracked })
         };
         self.previous.iter().filter_map(as_stored).collect()
     }
@@ -75,24 +99,37 @@ impl Memory {
         matches: &[Match],
         map_from_robot: Pose,
     ) -> Vec<SurfaceId> {
-        let mut known_as = vec![None; view.surfaces.len()];
-        for m in matches {
-            known_as[m.seen] = Some(m.known);
-        }
+        self.track(view, matches);
         let step = self.path.len();
         let mut placed = Vec::new();
-        let mut tracked = Vec::with_capacity(view.surfaces.len());
-        for (index_in_view, (surface, known)) in view.surfaces.iter().zip(known_as).enumerate() {
-            let known = known.unwrap_or_else(|| {
+        for (index_in_view, (surface, tracked)) in view.surfaces.iter().zip(&mut self.previous).enumerate() {
+            if tracked.known.is_none() {
                 let sighting = Sighting { frame: FrameId::default(), step, index_in_view };
                 let id = self.mfis.store(surface, map_from_robot, sighting);
+                tracked.known = Some(id);
                 placed.push(id);
-                id
-            });
-            tracked.push(Tracked { surface: surface.clone(), known });
+            }
         }
-        self.previous = tracked;
         placed
+    }
+
+    /// Hands the names of what was recognised on to the current view, and stores nothing.
+    pub(crate) fn track(&mut self, view: &View, matches: &[Match]) {
+        self.previous = view.surfaces.iter().map(|surface| Tracked::seen(surface, None)).collect();
+        for m in matches {
+            self.previous[m.seen].known = Some(m.known);
+        }
+    }
+
+    /// Forgets stored surfaces; whoever sees one again sees something new.
+    pub(crate) fn forget(&mut self, surfaces: &[SurfaceId]) {
+        let step = self.path.len().saturating_sub(1);
+        for &surface in surfaces {
+            self.mfis.forget(surface, step);
+        }
+        for tracked in &mut self.previous {
+            tracked.known = tracked.known.filter(|&known| self.mfis.remembers(known));
+        }
     }
 
     /// Closes the step in the map's own frame and numbers it.

@@ -209,7 +209,16 @@ fn surface(scan: &Scan, points: &[Point], line: &(Piece, LineFit), extent: Exten
         residual: fit.residual,
         range,
         incidence: trig::asin(fit.direction.dot(towards).abs()),
+        label: label_of(scan, own),
     }
+}
+
+/// The label that more than half of the points carry.
+fn label_of(scan: &Scan, own: &[Point]) -> Option<u32> {
+    let mut labels: Vec<u32> = own.iter().filter_map(|p| scan.labels.get(p.beam).copied()?).collect();
+    labels.sort_unstable();
+    let most = labels.chunk_by(|a, b| a == b).max_by_key(|run| run.len())?;
+    (2 * most.len() > own.len()).then_some(most[0])
 }
 
 #[cfg(test)]

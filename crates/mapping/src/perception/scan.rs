@@ -14,6 +14,10 @@ pub struct Scan {
     pub range_max: f64,
     /// Distances, metres, one a beam; infinite or not a number where nothing was seen (REP-117).
     pub ranges: Vec<f64>,
+    /// What a camera would recognise at each beam; `None` where it knows nothing by sight. Empty without
+    /// such a sensor: the thesis's robot has none, and wishes for one (chapter 4).
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub labels: Vec<Option<u32>>,
 }
 
 impl Scan {

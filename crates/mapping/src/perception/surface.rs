@@ -32,6 +32,9 @@ pub struct Surface {
     pub range: f64,
     /// Mean angle between the beams and the surface's normal, `[0, π/2]` radians.
     pub incidence: f64,
+    /// Which thing it is, if the robot can tell that by sight; a laser alone cannot.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub label: Option<u32>,
 }
 
 impl Surface {

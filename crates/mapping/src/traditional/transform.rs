@@ -111,6 +111,7 @@ mod tests {
             residual: 0.0,
             range: 3.0,
             incidence: 0.3,
+            label: None,
         };
         walls.into_iter().map(surface).collect()
     }
@@ -124,8 +125,8 @@ mod tests {
     #[test]
     fn the_corrected_movement_is_nearer_to_the_truth_in_95_of_100_steps() {
         let truth = Pose::new(0.5, 0.1, 0.3);
-        let tracked = |surface| Tracked { surface, known: SurfaceId(0) };
-        let previous: Vec<Tracked> = room().into_iter().map(tracked).collect();
+        let tracked = |surface: &Surface| Tracked::seen(surface, Some(SurfaceId(0)));
+        let previous: Vec<Tracked> = room().iter().map(tracked).collect();
         let current: Vec<Surface> = room().iter().map(|s| s.seen_from(truth.inverse())).collect();
         let better = (0..400_u32).filter(|&step| {
             // Errors spread evenly over ±0.1 rad and ±0.1 m.

@@ -59,6 +59,7 @@ fn piece(wall: Segment, from: f64, to: f64, index: usize) -> Surface {
         residual: 0.0,
         range: f64::midpoint(a.length(), b.length()),
         incidence: 0.5,
+        label: None,
     }
 }
 

@@ -30,6 +30,32 @@ fn a_faultless_laser_measures_the_truth() {
 }
 
 #[test]
+fn a_share_of_the_solids_can_be_told_apart_and_the_ranges_stay() {
+    let walls: Vec<Segment> = (0..180_i32)
+        .map(|k| {
+            let at = |degrees: f64| Pose::new(0.0, 0.0, degrees.to_radians()).forward() * 4.0;
+            wall(at(f64::from(k - 90)).into(), at(f64::from(k - 89)).into())
+        })
+        .collect();
+    let grid = RayGrid::new(&walls, &[]);
+    let look = |identity: f64| {
+        let (laser, mut rng) = laser(&LaserParams { identity, ..LaserParams::default() }, 5);
+        laser.scan(&grid, Pose::IDENTITY, &mut rng)
+    };
+    let (plain, solids) = look(0.0);
+    assert!(plain.labels.is_empty());
+    let (half, _) = look(0.5);
+    let known = half.labels.iter().flatten().count();
+    assert!((120..240).contains(&known), "{known} of 361 beams");
+    for (label, solid) in half.labels.iter().zip(&solids) {
+        assert!(label.is_none() || label == solid);
+    }
+    let (all, _) = look(1.0);
+    assert_eq!(all.labels, solids);
+    assert!([&half, &all].iter().all(|scan| scan.ranges == plain.ranges));
+}
+
+#[test]
 fn nothing_is_seen_beyond_the_range() {
     let far = RayGrid::new(&[wall([8.0, -1.0], [8.0, 1.0]), wall([8.3, 1.0], [8.3, 3.0])], &[]);
     let (laser, mut rng) = laser(&LaserParams::default(), 3);

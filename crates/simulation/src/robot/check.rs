@@ -30,7 +30,7 @@ fn body(body: &BodyParams) -> [Bounded; 7] {
 }
 
 #[allow(clippy::cast_precision_loss, reason = "a number too large to be exact is too large to be allowed")]
-fn laser(laser: &LaserParams) -> [Bounded; 9] {
+fn laser(laser: &LaserParams) -> [Bounded; 10] {
     [
         ("laser.forward", laser.forward, [-1.0, 1.0]),
         ("laser.field_of_view_deg", laser.field_of_view_deg, [1.0, 360.0]),
@@ -41,6 +41,7 @@ fn laser(laser: &LaserParams) -> [Bounded; 9] {
         ("laser.grazing_dropout", laser.grazing_dropout, [0.0, 1.0]),
         ("laser.mixed_pixels", laser.mixed_pixels, [0.0, 1.0]),
         ("laser.resolution", laser.resolution, [0.0, 1.0]),
+        ("laser.identity", laser.identity, [0.0, 1.0]),
     ]
 }
 

@@ -108,6 +108,7 @@ mod tests {
             angle_increment: 0.1,
             range_max: 8.0,
             ranges: vec![1.0],
+            labels: Vec::new(),
         };
         let reading = |k: u32| Reading {
             t: f64::from(k),

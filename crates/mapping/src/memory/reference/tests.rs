@@ -8,7 +8,7 @@ use crate::{
 fn wall(a: (f64, f64), b: (f64, f64), ends: [End; 2]) -> Surface {
     let segment = Segment::new(DVec2::new(a.0, a.1), DVec2::new(b.0, b.1));
     let range = segment.midpoint().length();
-    Surface { segment, ends, beams: [0, 9], points: 10, residual: 0.0, range, incidence: 0.3 }
+    Surface { segment, ends, beams: [0, 9], points: 10, residual: 0.0, range, incidence: 0.3, label: None }
 }
 
 /// What a robot finds that has stored `before` and now sees `after`, all recognised in this order.

@@ -20,7 +20,7 @@ fn scan_of(walls: &[Segment], laser: Pose, range_max: f64) -> Scan {
                 .fold(f64::INFINITY, f64::min)
         })
         .collect();
-    Scan { robot_from_laser: Pose::IDENTITY, angle_min, angle_increment: increment, range_max, ranges }
+    Scan { robot_from_laser: Pose::IDENTITY, angle_min, angle_increment: increment, range_max, ranges, labels: Vec::new() }
 }
 
 fn room(width: f64, depth: f64) -> Vec<Segment> {
@@ -78,7 +78,7 @@ proptest! {
     ) {
         let scan = Scan {
             robot_from_laser: Pose::new(0.2, 0.0, 0.0),
-            angle_min: -1.5, angle_increment: 0.015, range_max: 8.0, ranges,
+            angle_min: -1.5, angle_increment: 0.015, range_max: 8.0, ranges, labels: Vec::new(),
         };
         let view = extract(&scan, &Extraction::default());
         for surface in &view.surfaces {
