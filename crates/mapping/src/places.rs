@@ -4,23 +4,71 @@
 //! reads the memory and never writes to it: closing a loop changes the network, not the map.
 
 mod asr;
+mod discovery;
 mod exit;
+mod nearby;
 mod network;
+mod overlap;
+mod passage;
+mod recognition;
+mod sharing;
+mod sight;
+mod trail;
 mod wideness;
 
-pub use asr::{Asr, AsrId};
-pub use exit::{Exit, ExitId};
-pub use network::Network;
-pub use wideness::Wideness;
+use std::collections::BTreeMap;
 
+use cogmap_geometry::{DVec2, Pose};
 use serde::{Deserialize, Serialize};
 
-use crate::{Event, StepReport, memory::Memory};
+pub use asr::{Asr, AsrId};
+use discovery::{Newcomer, Pending};
+pub use exit::{Crossing, Exit, ExitId};
+use nearby::Nearby;
+pub use network::Network;
+pub use overlap::Overlap;
+pub use passage::Narrowness;
+pub use recognition::Familiarity;
+use recognition::Sightings;
+use trail::{Sample, Trail};
+pub use wideness::{Looking, Wideness};
+
+use crate::{Event, PathPoint, StepReport, memory::Memory};
+
+/// How exits and loops are found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Form {
+    /// As the thesis programs it (§3.2.2, §3.2.3): left and right, a minimum, loops by overlap alone.
+    #[default]
+    Literal,
+    /// Ours: the narrowest chord, walls beside it, loops by what is recognised.
+    Recommended,
+}
 
 /// Every parameter of the network of ASRs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
-pub struct PlacesParams {}
+pub struct PlacesParams {
+    /// How exits and loops are found.
+    pub form: Form,
+    /// How wideness is measured.
+    pub looking: Looking,
+    /// What makes a minimum of wideness an exit.
+    pub narrowness: Narrowness,
+    /// When a new space is an old one by where it lies (`literal`).
+    pub overlap: Overlap,
+    /// When a new space is an old one by what is seen in it (`recommended`).
+    pub familiarity: Familiarity,
+}
+
+impl PlacesParams {
+    /// Our form with its default numbers.
+    #[must_use]
+    pub fn recommended() -> Self {
+        Self { form: Form::Recommended, ..Self::default() }
+    }
+}
 
 /// What one view brought to the network.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -38,13 +86,40 @@ pub struct PlaceReport {
 pub struct Places {
     params: PlacesParams,
     network: Network,
+    trail: Trail,
+    nearby: Nearby,
+    sightings: Sightings,
+    /// Exits are looked for on the way after this, metres.
+    since: f64,
+    pending: Option<Pending>,
+    newcomer: Option<Newcomer>,
+    /// Metres of way when the robot was last in each space.
+    last_in: BTreeMap<AsrId, f64>,
+}
+
+/// A view that is being taken in: where the robot is, and what the mapper made of it.
+#[derive(Clone, Copy)]
+struct Now<'a> {
+    here: PathPoint,
+    report: &'a StepReport,
+    memory: &'a Memory,
 }
 
 impl Places {
     /// One space without exits, in which the robot begins.
     #[must_use]
     pub fn new(params: &PlacesParams) -> Self {
-        Self { params: *params, network: Network::default() }
+        Self {
+            params: *params,
+            network: Network::default(),
+            trail: Trail::default(),
+            nearby: Nearby::default(),
+            sightings: Sightings::default(),
+            since: 0.0,
+            pending: None,
+            newcomer: None,
+            last_in: BTreeMap::new(),
+        }
     }
 
     /// The spaces and exits found so far.
@@ -55,9 +130,71 @@ impl Places {
 
     /// Takes in a view that the mapper has integrated.
     pub(crate) fn follow(&mut self, report: &StepReport, memory: &Memory) -> PlaceReport {
-        let asr = self.network.current();
-        self.network.assign(&report.placed, asr);
-        self.network.note_step(memory.path().len(), asr);
-        PlaceReport { asr, wideness: Vec::new(), events: Vec::new() }
+        let (mut wideness, mut events) = (Vec::new(), Vec::new());
+        if let Some(&here) = memory.path().last() {
+            let now = Now { here, report, memory };
+            self.look_around(now);
+            // §3.2.2: the robot keeps a measure of wideness as it travels …
+            wideness = self.walk(now);
+            // … every surface belongs to a space …
+            self.share_out(now);
+            // … and behind an exit begins another, unless it is one that the robot knows.
+            events.extend(self.go_through_known(now));
+            events.extend(self.go_through_new(now));
+            events.extend(self.compare_newcomer(now));
+            self.last_in.insert(self.network.current(), self.trail.way());
+        }
+        PlaceReport { asr: self.network.current(), wideness, events }
+    }
+
+    /// Brings the recent way and what is remembered around it into the robot's frame.
+    fn look_around(&mut self, now: Now<'_>) {
+        let Now { here, report, memory } = now;
+        let left = self.trail.frame();
+        let radius = self.params.looking.range;
+        self.nearby.update(
+            memory.mfis(),
+            (here.frame, here.frame_from_robot.position),
+            &report.placed,
+            radius,
+        );
+        if left != here.frame {
+            self.trail.carry(here.frame, self.nearby.here_from(left));
+            if let (Some(pending), Some(here_from_left)) = (&mut self.pending, self.nearby.here_from(left)) {
+                pending.at = here_from_left * pending.at;
+            }
+        }
+        self.sightings.note(report);
+        self.network.note_step(memory.path().len());
+    }
+
+    /// Measures the way since the last view.
+    fn walk(&mut self, now: Now<'_>) -> Vec<Wideness> {
+        let PlacesParams { form, looking, narrowness, .. } = self.params;
+        let Now { here, memory, .. } = now;
+        let map_from_here = memory.mfis().map_from_frame(here.frame);
+        let view = here.step.saturating_sub(1);
+        let mut wideness = Vec::new();
+        for stride in self.trail.go_to(here.frame_from_robot.position) {
+            let near = self.nearby.surfaces();
+            let chord = wideness::chord_at(stride.at, stride.direction, near, form, &looking);
+            let narrow = chord.width <= narrowness.max_width;
+            let jambs = if narrow { passage::jambs_of(chord.segment, near) } else { 0 };
+            let trail::Stride { way, at, direction } = stride;
+            self.watch_known_exits(at - direction * trail::SPACING, at, view);
+            self.trail.add(Sample { way, at, direction, view, chord, jambs }, narrowness.memory());
+            wideness.push(Wideness { way, width: chord.width, chord: map_from_here * chord.segment });
+        }
+        wideness
+    }
+
+    /// Where the robot was when it took a view, in the frame that it is in now.
+    fn here_from_robot_at(&self, memory: &Memory, view: usize) -> Option<Pose> {
+        let point = memory.path().get(view)?;
+        Some(self.nearby.here_from(point.frame)? * point.frame_from_robot)
+    }
+
+    fn robot(now: Now<'_>) -> DVec2 {
+        now.here.frame_from_robot.position
     }
 }

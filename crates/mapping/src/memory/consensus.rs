@@ -65,7 +65,7 @@ impl Default for ConsensusParams {
             reach: Reach::default(),
             novelty: Novelty::default(),
             recognition: Recognition::default(),
-            places: PlacesParams::default(),
+            places: PlacesParams::recommended(),
             place_distance: 0.2,
             place_turn: 8.6 * trig::PI / 180.0,
             frame_size: 4.0,

@@ -26,3 +26,30 @@ pub struct Exit {
     /// On how many of its sides, 0 to 2, a wall goes on outward along its line.
     pub jambs: u8,
 }
+
+impl Exit {
+    /// The space on its other side; `None` for a space that it does not bound.
+    #[must_use]
+    pub fn leads_from(&self, asr: AsrId) -> Option<AsrId> {
+        match self.between {
+            [one, other] if one == asr => Some(other),
+            [other, one] if one == asr => Some(other),
+            _ => None,
+        }
+    }
+}
+
+/// The robot has gone through an exit, the first time or again.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// The exit.
+    pub exit: ExitId,
+    /// The space that it led to.
+    pub into: AsrId,
+    /// The last view that was taken before the robot was in it.
+    pub view: usize,
+    /// The view in which the robot noticed.
+    pub step: usize,
+    /// Where it lay seen from the robot in [`view`](Self::view), metres.
+    pub robot_from_exit: Segment,
+}

@@ -1,35 +1,46 @@
+use std::collections::BTreeMap;
+
 use cogmap_geometry::Pose;
 
-use super::{Asr, AsrId, Exit, ExitId};
+use super::{Asr, AsrId, Crossing, Exit, ExitId};
 use crate::memory::{FrameId, SurfaceId};
+
+mod merge;
+mod route;
 
 /// The network of local spaces (§2.2.1, Fig. 2.1): nodes are ASRs, edges are exits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Network {
     asrs: Vec<Asr>,
     exits: Vec<Exit>,
+    crossings: Vec<Crossing>,
     current: AsrId,
+    opened: u32,
     asr_of_surface: Vec<Option<AsrId>>,
+    surfaces_of: BTreeMap<AsrId, Vec<SurfaceId>>,
     asr_of_step: Vec<AsrId>,
+    /// For spaces that turned out to be another one: which.
+    lasting: BTreeMap<AsrId, AsrId>,
+    /// For exits that turned out to be another one: which.
+    same_exit: BTreeMap<ExitId, ExitId>,
 }
 
 impl Default for Network {
     fn default() -> Self {
-        let first = Asr {
-            id: AsrId(0),
-            frame: FrameId::default(),
-            frame_from_entrance: Pose::IDENTITY,
+        let mut network = Self {
+            asrs: Vec::new(),
             exits: Vec::new(),
-            merged_from: Vec::new(),
-            step: 0,
-        };
-        Self {
-            asrs: vec![first],
-            exits: Vec::new(),
+            crossings: Vec::new(),
             current: AsrId(0),
+            opened: 0,
             asr_of_surface: Vec::new(),
+            surfaces_of: BTreeMap::new(),
             asr_of_step: Vec::new(),
-        }
+            lasting: BTreeMap::new(),
+            same_exit: BTreeMap::new(),
+        };
+        network.open((FrameId::default(), Pose::IDENTITY), 0);
+        network
     }
 }
 
@@ -40,16 +51,36 @@ impl Network {
         &self.asrs
     }
 
-    /// The exits, in the order of finding.
+    /// The space of that name, or the one that it turned out to be.
+    #[must_use]
+    pub fn asr(&self, id: AsrId) -> Option<&Asr> {
+        let id = self.lasting(id);
+        self.asrs.iter().find(|asr| asr.id == id)
+    }
+
+    /// The space that one turned out to be; mostly itself.
+    #[must_use]
+    pub fn lasting(&self, id: AsrId) -> AsrId {
+        self.lasting.get(&id).copied().unwrap_or(id)
+    }
+
+    /// The exits, in the order of finding; those that turned out to be another one are not among them.
     #[must_use]
     pub fn exits(&self) -> &[Exit] {
         &self.exits
     }
 
-    /// The exit of that name.
+    /// The exit of that name, or the one that it turned out to be.
     #[must_use]
     pub fn exit(&self, id: ExitId) -> Option<&Exit> {
-        self.exits.get(id.0 as usize)
+        let id = self.same_exit.get(&id).copied().unwrap_or(id);
+        self.exits.iter().find(|exit| exit.id == id)
+    }
+
+    /// Each time that the robot went through an exit, in order.
+    #[must_use]
+    pub fn crossings(&self) -> &[Crossing] {
+        &self.crossings
     }
 
     /// The space in which the robot believes to be.
@@ -64,23 +95,82 @@ impl Network {
         self.asr_of_surface.get(surface.0 as usize).copied().flatten()
     }
 
+    /// The surfaces of a space, oldest first.
+    #[must_use]
+    pub fn surfaces_of(&self, asr: AsrId) -> &[SurfaceId] {
+        self.surfaces_of.get(&self.lasting(asr)).map_or(&[], Vec::as_slice)
+    }
+
     /// The space in which a view was taken.
     #[must_use]
     pub fn asr_at(&self, step: usize) -> Option<AsrId> {
         self.asr_of_step.get(step).copied()
     }
 
-    pub(super) fn assign(&mut self, surfaces: &[SurfaceId], asr: AsrId) {
-        for surface in surfaces {
-            let place = surface.0 as usize;
-            if self.asr_of_surface.len() <= place {
-                self.asr_of_surface.resize(place + 1, None);
+    /// Opens a space with its entrance there.
+    pub(super) fn open(&mut self, (frame, frame_from_entrance): (FrameId, Pose), step: usize) -> AsrId {
+        let id = AsrId(self.opened);
+        self.opened += 1;
+        let (exits, merged_from) = (Vec::new(), Vec::new());
+        self.asrs.push(Asr { id, frame, frame_from_entrance, exits, merged_from, step });
+        id
+    }
+
+    /// Adds an exit; its name is given here.
+    pub(super) fn add_exit(&mut self, exit: Exit) -> ExitId {
+        let id = self.next_exit();
+        let exit = Exit { id, ..exit };
+        for asr in &mut self.asrs {
+            if exit.between.contains(&asr.id) {
+                asr.exits.push(id);
             }
-            self.asr_of_surface[place] = Some(asr);
+        }
+        self.exits.push(exit);
+        id
+    }
+
+    /// The name of the next exit.
+    pub(super) fn next_exit(&self) -> ExitId {
+        let kept = self.exits.last().map_or(0, |exit| exit.id.0 + 1);
+        ExitId(self.same_exit.keys().map(|id| id.0 + 1).fold(kept, u32::max))
+    }
+
+    /// The robot has gone through an exit: it is in another space since the view after the crossing.
+    pub(super) fn cross(&mut self, crossing: Crossing) {
+        self.crossings.push(crossing);
+        self.enter(crossing.into, crossing.view + 1);
+    }
+
+    /// The robot is in a space since a view.
+    pub(super) fn enter(&mut self, asr: AsrId, since: usize) {
+        self.current = asr;
+        for step in self.asr_of_step.iter_mut().skip(since) {
+            *step = asr;
         }
     }
 
-    pub(super) fn note_step(&mut self, views: usize, asr: AsrId) {
-        self.asr_of_step.resize(views, asr);
+    /// Gives a surface to a space; it leaves the one that it belonged to.
+    pub(super) fn assign(&mut self, surface: SurfaceId, asr: AsrId) {
+        let place = surface.0 as usize;
+        if self.asr_of_surface.len() <= place {
+            self.asr_of_surface.resize(place + 1, None);
+        }
+        let before = self.asr_of_surface[place].replace(asr);
+        if before == Some(asr) {
+            return;
+        }
+        if let Some(members) = before.and_then(|before| self.surfaces_of.get_mut(&before))
+            && let Ok(at) = members.binary_search(&surface)
+        {
+            members.remove(at);
+        }
+        let members = self.surfaces_of.entry(asr).or_default();
+        if let Err(at) = members.binary_search(&surface) {
+            members.insert(at, surface);
+        }
+    }
+
+    pub(super) fn note_step(&mut self, views: usize) {
+        self.asr_of_step.resize(views, self.current);
     }
 }

@@ -1,5 +1,7 @@
-use cogmap_geometry::Segment;
+use cogmap_geometry::{DVec2, Segment, normalize_angle, trig};
 use serde::{Deserialize, Serialize};
+
+use super::{Form, nearby::Near};
 
 /// How wide it is at a point of the way (§3.2.2, Fig. 3.14).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -10,4 +12,211 @@ pub struct Wideness {
     pub width: f64,
     /// From what is on the left to what is on the right, in the map, metres.
     pub chord: Segment,
+}
+
+/// How wideness is measured: each 0.1 m of the way between two views, against what is remembered.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Looking {
+    /// Nothing is seen farther off than this on either side, metres: the laser's range.
+    pub range: f64,
+    /// Shorter surfaces are debris and do not bound a space (`recommended`), metres.
+    pub debris: f64,
+}
+
+impl Default for Looking {
+    fn default() -> Self {
+        Self { range: 8.0, debris: 0.3 }
+    }
+}
+
+/// The angle between two of the chords that are compared, radians; a chord takes in whatever lies within half of
+/// that, so that none slips through between the two faces of a wall.
+const STEP: f64 = 5.0 * trig::PI / 180.0;
+/// Chords of the recommended form are turned at most so many steps to either side: 50°.
+const TURNS: usize = 10;
+
+/// From what is on the left of a point of the way to what is on its right.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Chord {
+    pub(super) width: f64,
+    pub(super) segment: Segment,
+}
+
+/// The chord through a point of the way: perpendicular to it in the literal form (§3.2.2: the distance
+/// of geometry to left and right), the narrowest within 50° of that in the recommended one.
+pub(super) fn chord_at(at: DVec2, direction: DVec2, near: &[Near], form: Form, params: &Looking) -> Chord {
+    let (turns, debris) = match form {
+        Form::Literal => (0, 0.0),
+        Form::Recommended => (TURNS, params.debris),
+    };
+    let mut profile = Profile::new(at, direction.perp(), turns, params.range);
+    for surface in near {
+        if surface.segment.length() >= debris && surface.segment.distance_to(at) < params.range {
+            profile.take_in(surface.segment);
+        }
+    }
+    profile.narrowest()
+}
+
+/// How far it is to the nearest surface point in each direction, on the left and on the right.
+struct Profile {
+    at: DVec2,
+    left: DVec2,
+    turns: usize,
+    /// For each side and turn: distance and point.
+    sides: [Vec<(f64, DVec2)>; 2],
+}
+
+impl Profile {
+    fn new(at: DVec2, left: DVec2, turns: usize, range: f64) -> Self {
+        let free = |side: f64| {
+            (0..=2 * turns)
+                .map(|bin| {
+                    let (sin, cos) = trig::sin_cos(angle_of(bin, turns));
+                    (range, at + (left * cos + left.perp() * sin) * side * range)
+                })
+                .collect()
+        };
+        Self { at, left, turns, sides: [free(1.0), free(-1.0)] }
+    }
+
+    fn take_in(&mut self, segment: Segment) {
+        for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
+            let axis = self.left * sign;
+            let local = |point: DVec2| {
+                let off = point - self.at;
+                DVec2::new(off.dot(axis), off.dot(axis.perp()))
+            };
+            self.take_in_side(side, axis, Segment::new(local(segment.a), local(segment.b)));
+        }
+    }
+
+    /// The part of a surface on one side; `local.x` is outward.
+    fn take_in_side(&mut self, side: usize, axis: DVec2, local: Segment) {
+        let (from, to) = (bearing(local.a), bearing(local.b));
+        let half_span = normalize_angle(to - from) / 2.0;
+        let centre = normalize_angle(from + half_span);
+        for bin in 0..=2 * self.turns {
+            // Angles from the middle of the surface, so that none wraps around.
+            let off = normalize_angle(angle_of(bin, self.turns) - centre);
+            let reach = half_span.abs();
+            let (first, last) = ((off - STEP / 2.0).max(-reach), (off + STEP / 2.0).min(reach));
+            if first > last {
+                continue;
+            }
+            if let Some(point) = nearest_between(local, centre + first, centre + last)
+                && point.length() < self.sides[side][bin].0
+            {
+                let at = self.at + axis * point.x + axis.perp() * point.y;
+                self.sides[side][bin] = (point.length(), at);
+            }
+        }
+    }
+
+    /// The narrowest chord; of equals the one that is turned least.
+    fn narrowest(&self) -> Chord {
+        let [left, right] = &self.sides;
+        let chord = |bin: usize| Chord {
+            width: left[bin].0 + right[bin].0,
+            segment: Segment::new(left[bin].1, right[bin].1),
+        };
+        let mut best = chord(self.turns);
+        for turn in 1..=self.turns {
+            for other in [chord(self.turns - turn), chord(self.turns + turn)] {
+                if other.width < best.width {
+                    best = other;
+                }
+            }
+        }
+        best
+    }
+}
+
+#[allow(clippy::cast_precision_loss, reason = "there are 21 turns")]
+fn angle_of(bin: usize, turns: usize) -> f64 {
+    (bin as f64 - turns as f64) * STEP
+}
+
+fn bearing(point: DVec2) -> f64 {
+    trig::atan2(point.y, point.x)
+}
+
+/// The point of a line nearest to the origin between two bearings.
+fn nearest_between(line: Segment, first: f64, last: f64) -> Option<DVec2> {
+    let foot = line.closest_point(DVec2::ZERO);
+    let middle = (first + last) / 2.0;
+    if foot.length() < 1e-9 || normalize_angle(bearing(foot) - middle).abs() <= (last - first) / 2.0 {
+        return Some(foot);
+    }
+    let along = line.b - line.a;
+    let at = |angle: f64| {
+        let (sin, cos) = trig::sin_cos(angle);
+        let ray = DVec2::new(cos, sin);
+        let range = line.a.perp_dot(along) / ray.perp_dot(along);
+        (range.is_finite() && range > 0.0).then(|| ray * range)
+    };
+    match (at(first), at(last)) {
+        (Some(a), Some(b)) => Some(if a.length() <= b.length() { a } else { b }),
+        (a, b) => a.or(b),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::memory::SurfaceId;
+    use proptest::prelude::*;
+
+    fn near(lines: &[([f64; 2], [f64; 2])]) -> Vec<Near> {
+        let of = |(a, b): &([f64; 2], [f64; 2])| Near {
+            id: SurfaceId(0),
+            segment: Segment::new(DVec2::from(*a), DVec2::from(*b)),
+        };
+        lines.iter().map(of).collect()
+    }
+
+    #[test]
+    fn wideness_is_left_plus_right() {
+        let corridor = near(&[([-5.0, 1.0], [5.0, 1.0]), ([-5.0, -0.5], [5.0, -0.5])]);
+        for form in [Form::Literal, Form::Recommended] {
+            let chord = chord_at(DVec2::ZERO, DVec2::X, &corridor, form, &Looking::default());
+            assert!((chord.width - 1.5).abs() < 1e-9);
+            assert!(chord.segment.a.distance(DVec2::new(0.0, 1.0)) < 1e-9);
+            assert!(chord.segment.b.distance(DVec2::new(0.0, -0.5)) < 1e-9);
+        }
+    }
+
+    #[test]
+    fn the_narrowest_chord_sees_a_door_that_is_entered_obliquely() {
+        let wall = near(&[([0.0, 0.45], [0.0, 4.0]), ([0.0, -4.0], [0.0, -0.45])]);
+        let oblique = DVec2::new(1.0, 0.8).normalize();
+        let chord = chord_at(DVec2::ZERO, oblique, &wall, Form::Recommended, &Looking::default());
+        assert!((chord.width - 0.9).abs() < 1e-9);
+    }
+
+    #[test]
+    fn no_chord_slips_through_between_the_faces_of_a_wall() {
+        let wall = near(&[
+            ([-0.06, 0.45], [-0.06, 4.0]),
+            ([0.06, 0.45], [0.06, 4.0]),
+            ([-0.06, -4.0], [-0.06, -0.45]),
+            ([0.06, -4.0], [0.06, -0.45]),
+        ]);
+        let chord = chord_at(DVec2::ZERO, DVec2::X, &wall, Form::Recommended, &Looking::default());
+        assert!(chord.width < 0.93);
+    }
+
+    proptest! {
+        #[test]
+        fn the_narrowest_chord_is_never_wider_than_the_perpendicular_one(
+            ends in prop::collection::vec((-4.0f64..4.0, -4.0f64..4.0, -4.0f64..4.0, -4.0f64..4.0), 0..12),
+        ) {
+            let lines: Vec<_> = ends.iter().map(|&(a, b, c, d)| ([a, b], [c, d])).collect();
+            let looking = Looking { debris: 0.0, ..Looking::default() };
+            let width = |form| chord_at(DVec2::ZERO, DVec2::X, &near(&lines), form, &looking).width;
+            prop_assert!(width(Form::Recommended) <= width(Form::Literal) + 1e-9);
+            prop_assert!(width(Form::Literal) <= 2.0 * looking.range + 1e-9);
+        }
+    }
 }

@@ -1,0 +1,256 @@
+use std::collections::BTreeSet;
+
+use cogmap_geometry::{DVec2, Pose, Segment, trig};
+
+use super::{
+    AsrId, Crossing, Exit, ExitId, Form, Now, Places, overlap,
+    passage::{self, Passage},
+};
+use crate::{Event, memory::SurfaceId};
+
+/// A known exit is widened by so much on either side when the robot goes through it, metres.
+const JAMB_ERROR: f64 = 0.2;
+/// A narrow place is a known exit when their middles lie so near to each other, metres …
+const SAME_EXIT: f64 = 0.6;
+/// … and they are turned less than this against each other, radians.
+const SAME_TURN: f64 = 40.0 * trig::PI / 180.0;
+
+/// A known exit that the robot is going through; it may still turn back.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pending {
+    exit: ExitId,
+    view: usize,
+    way: f64,
+    pub(super) at: DVec2,
+}
+
+/// A space that was opened not long ago and may turn out to be an old one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Newcomer {
+    asr: AsrId,
+    exit: ExitId,
+    opened: f64,
+    compare_at: f64,
+}
+
+impl Places {
+    /// Notes whether the way from one point to the next goes through a known exit.
+    pub(super) fn watch_known_exits(&mut self, from: DVec2, to: DVec2, view: usize) {
+        let step = Segment::new(from, to);
+        let crossed = self.network.exits().iter().find_map(|exit| {
+            let segment = self.nearby.here_from(exit.frame)? * exit.segment;
+            let along = segment.direction()? * JAMB_ERROR;
+            let at = step.crossing(Segment::new(segment.a - along, segment.b + along))?;
+            Some((exit.id, at))
+        });
+        if let Some((exit, at)) = crossed {
+            let way = self.trail.way();
+            self.pending = Some(Pending { exit, view, way, at });
+            self.since = way + self.params.narrowness.spacing;
+        }
+    }
+
+    /// Goes over into the space behind a known exit once the robot is clear of it.
+    pub(super) fn go_through_known(&mut self, now: Now<'_>) -> Vec<Event> {
+        let Some(pending) = self.pending else { return Vec::new() };
+        let Some(exit) = self.network.exit(pending.exit).cloned() else { return Vec::new() };
+        let Some(here_from_frame) = self.nearby.here_from(exit.frame) else { return Vec::new() };
+        let segment = here_from_frame * exit.segment;
+        let off = segment.offset_of(Self::robot(now)).unwrap_or(0.0);
+        if off.abs() < self.params.narrowness.beyond || now.here.step <= pending.view {
+            return Vec::new();
+        }
+        self.pending = None;
+        let into = exit.between[usize::from(off > 0.0)];
+        let left = self.network.current();
+        if into == left {
+            return Vec::new();
+        }
+        self.cross(now, (exit.id, segment), (pending.view, into));
+        let why = format!("the robot knew this exit: it leads back into ASR {}", into.0);
+        vec![Event::Exit { exit: exit.id, why }]
+    }
+
+    /// The robot is in another space since the view after the crossing; what it has seen since then is
+    /// shared out anew.
+    fn cross(
+        &mut self,
+        now: Now<'_>,
+        (exit, segment): (ExitId, Segment),
+        (view, into): (usize, AsrId),
+    ) -> usize {
+        let left = self.network.current();
+        let behind = self.behind(now.memory, (left, view), segment);
+        for &surface in &behind {
+            self.network.assign(surface, into);
+        }
+        let robot_from_exit = self
+            .here_from_robot_at(now.memory, view)
+            .map_or(segment, |here_from_robot| here_from_robot.inverse() * segment);
+        self.network.cross(Crossing { exit, into, view, step: now.here.step, robot_from_exit });
+        behind.len()
+    }
+
+    /// Looks for a narrow place that the robot has gone through; behind it is another space.
+    pub(super) fn go_through_new(&mut self, now: Now<'_>) -> Vec<Event> {
+        let narrowness = &self.params.narrowness;
+        let Some(passage) = passage::find(&self.trail, self.since, Self::robot(now), narrowness) else {
+            return Vec::new();
+        };
+        if now.here.step <= passage.view {
+            return Vec::new();
+        }
+        self.since = passage.way + narrowness.spacing;
+        if let Some(exit) = self.known_exit_at(passage.segment) {
+            let (view, way, at) = (passage.view, passage.way, passage.at);
+            self.pending = Some(Pending { exit, view, way, at });
+            return self.go_through_known(now);
+        }
+        let left = self.network.current();
+        let behind = self.behind(now.memory, (left, passage.view), passage.segment);
+        match self.space_behind(now, &passage, &behind) {
+            Behind::Same => Vec::new(),
+            Behind::Known(asr, overlap) => self.link(now, &passage, (asr, overlap)),
+            Behind::New => self.open(now, &passage),
+        }
+    }
+
+    fn known_exit_at(&self, passage: Segment) -> Option<ExitId> {
+        let near = self.network.exits().iter().filter_map(|exit| {
+            let segment = self.nearby.here_from(exit.frame)? * exit.segment;
+            let distance = segment.midpoint().distance(passage.midpoint());
+            let same = distance <= SAME_EXIT && segment.angle_to(passage) <= SAME_TURN;
+            same.then_some((distance, exit.id))
+        });
+        near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, exit)| exit)
+    }
+
+    fn space_behind(&self, now: Now<'_>, passage: &Passage, behind: &[SurfaceId]) -> Behind {
+        match self.params.form {
+            Form::Literal => match self.overlapped(now, behind, self.network.current()) {
+                Some((asr, share)) => Behind::Known(asr, share),
+                None => Behind::New,
+            },
+            Form::Recommended => self.recognised_behind(passage, behind),
+        }
+    }
+
+    /// Whose surfaces the robot has recognised since it went through.
+    fn recognised_behind(&self, passage: &Passage, behind: &[SurfaceId]) -> Behind {
+        let left = self.network.current();
+        let new: BTreeSet<SurfaceId> = behind.iter().copied().collect();
+        let tally = self.sightings.tally(passage.view + 1, &self.network, &new);
+        let total: f64 = tally.values().sum();
+        if total <= 0.0 {
+            return Behind::New;
+        }
+        let share = |asr: Option<AsrId>| tally.get(&asr).copied().unwrap_or(0.0) / total;
+        if share(Some(left)) >= self.params.familiarity.same {
+            return Behind::Same;
+        }
+        let others = tally.keys().flatten().filter(|&&asr| asr != left);
+        let best = others.map(|&asr| (asr, share(Some(asr)))).max_by(|a, b| a.1.total_cmp(&b.1));
+        match best {
+            Some((asr, share)) if share >= self.params.familiarity.known => Behind::Known(asr, share),
+            _ => Behind::New,
+        }
+    }
+
+    /// The old space that some surfaces mostly lie in (§3.2.3), other than the one just left.
+    fn overlapped(&self, now: Now<'_>, surfaces: &[SurfaceId], left: AsrId) -> Option<(AsrId, f64)> {
+        let mfis = now.memory.mfis();
+        let segments: Vec<Segment> =
+            surfaces.iter().filter_map(|&id| mfis.get(id)).map(|surface| mfis.in_map(surface)).collect();
+        let others = self.network.asrs().iter().map(|asr| asr.id).filter(|&asr| asr != left);
+        let shares = others.filter(|&asr| asr != self.network.current() || left == asr).map(|asr| {
+            let way = self.trail.way() - self.last_in.get(&asr).copied().unwrap_or(0.0);
+            let tolerance = self.params.overlap.tolerance_after(way);
+            (asr, overlap::share_within(&segments, &overlap::hull_of(&self.network, mfis, asr), tolerance))
+        });
+        let best = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        (best.1 >= self.params.overlap.share).then_some(best)
+    }
+
+    fn open(&mut self, now: Now<'_>, passage: &Passage) -> Vec<Event> {
+        let entrance = entrance_of(passage.segment);
+        let asr = self.network.open((now.here.frame, entrance), now.here.step);
+        let (exit, moved) = self.join(now, passage, asr);
+        let way = self.trail.way();
+        self.newcomer = Some(Newcomer { asr, exit, opened: way, compare_at: way + 1.0 });
+        vec![exit_event(exit, passage), Event::NewAsr { asr, exit, moved }]
+    }
+
+    fn link(&mut self, now: Now<'_>, passage: &Passage, (asr, overlap): (AsrId, f64)) -> Vec<Event> {
+        let (exit, _) = self.join(now, passage, asr);
+        let percent = 100.0 * overlap;
+        let why =
+            format!("{percent:.0} % of what is behind the exit belongs to ASR {}: the robot is back", asr.0);
+        let closed = Event::LoopClosed { asr, instead_of: None, exit, overlap, why };
+        vec![exit_event(exit, passage), closed]
+    }
+
+    fn join(&mut self, now: Now<'_>, passage: &Passage, asr: AsrId) -> (ExitId, usize) {
+        let exit = self.network.add_exit(Exit {
+            id: self.network.next_exit(),
+            frame: now.here.frame,
+            segment: passage.segment,
+            between: [self.network.current(), asr],
+            step: now.here.step,
+            crossed: passage.view,
+            jambs: passage.jambs,
+        });
+        let moved = self.cross(now, (exit, passage.segment), (passage.view, asr));
+        (exit, moved)
+    }
+
+    /// Compares a space that was opened not long ago with the old ones: the more of it is known, the
+    /// plainer it is that it is one of them.
+    pub(super) fn compare_newcomer(&mut self, now: Now<'_>) -> Vec<Event> {
+        let way = self.trail.way();
+        let Some(newcomer) = self.newcomer.filter(|newcomer| way >= newcomer.compare_at) else {
+            return Vec::new();
+        };
+        self.newcomer = Some(Newcomer { compare_at: way + 1.0, ..newcomer })
+            .filter(|newcomer| way - newcomer.opened <= self.params.overlap.within);
+        let Newcomer { asr, exit, .. } = newcomer;
+        if self.params.form != Form::Literal || self.network.current() != asr {
+            return Vec::new();
+        }
+        let Some(left) = self.network.exit(exit).and_then(|exit| exit.leads_from(asr)) else {
+            return Vec::new();
+        };
+        let Some((old, overlap)) = self.overlapped(now, self.network.surfaces_of(asr), left) else {
+            return Vec::new();
+        };
+        self.network.merge(asr, old);
+        self.newcomer = None;
+        let percent = 100.0 * overlap;
+        let why = format!("{percent:.0} % of ASR {} lies in ASR {}: the robot is back", asr.0, old.0);
+        vec![Event::LoopClosed { asr: old, instead_of: Some(asr), exit, overlap, why }]
+    }
+}
+
+/// What is behind a passage.
+enum Behind {
+    /// The space that the robot comes from.
+    Same,
+    /// A space that it knows, and how much of it says so.
+    Known(AsrId, f64),
+    /// A space that it does not know.
+    New,
+}
+
+/// The pose of an entrance: the origin in the exit's middle, x along the normal into the space entered.
+fn entrance_of(exit: Segment) -> Pose {
+    let normal = (exit.b - exit.a).perp();
+    let (middle, heading) = (exit.midpoint(), trig::atan2(normal.y, normal.x));
+    Pose::new(middle.x, middle.y, heading)
+}
+
+fn exit_event(exit: ExitId, passage: &Passage) -> Event {
+    let (width, jambs) = (passage.width(), passage.jambs);
+    let why = format!(
+        "{width:.2} m wide and wider on both sides of it along the way; walls go on beside {jambs} of its jambs"
+    );
+    Event::Exit { exit, why }
+}
