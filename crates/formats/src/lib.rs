@@ -6,6 +6,7 @@
 //! | session, `session.json` | [`session::read`] | [`session::write`] |
 //! | CARMEN log | [`carmen::read`] | |
 //! | trajectory, `*.tum` | [`tum::read`] | [`tum::write`] |
+//! | hand-matched relations, `*.relations` | [`relations::read`] | |
 //! | what a run leaves | | [`run::files`] |
 //!
 //! Whatever a file contains, reading it ends in a value or in a [`FormatError`] that names the place
@@ -17,6 +18,7 @@ mod digest;
 mod error;
 pub mod gzip;
 mod json;
+pub mod relations;
 pub mod run;
 pub mod session;
 pub mod tum;

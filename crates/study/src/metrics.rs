@@ -4,6 +4,7 @@ mod asrs;
 mod exits;
 mod loops;
 mod rate;
+pub mod relations;
 
 pub use asrs::{Division, Labelled, score_division};
 pub use exits::{Doorway, ExitScore, doorways, room_at, score_exits};
