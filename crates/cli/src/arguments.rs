@@ -35,6 +35,9 @@ pub(crate) enum Request {
     /// Map a recorded log, or run a session again
     #[command(after_help = REPLAY_EXAMPLES)]
     Replay(ReplayArguments),
+    /// Run an experiment with many seeds on all cores; without NAME, list the experiments
+    #[command(after_help = crate::study::examples(), after_long_help = crate::study::explanations())]
+    Study(StudyArguments),
     /// Say what files are, what is in them and what is wrong with them
     #[command(after_help = CHECK_EXAMPLES)]
     Check(CheckArguments),
@@ -107,6 +110,34 @@ pub(crate) struct ReplayArguments {
     pub(crate) output: OutputArguments,
 }
 
+/// `cogmap study`.
+#[derive(Debug, Args)]
+pub(crate) struct StudyArguments {
+    /// Experiment to run
+    #[arg(value_name = "NAME")]
+    pub(crate) name: Option<String>,
+    /// World files to run it in instead of its own: patterns such as 'worlds/*.world.json'
+    #[arg(long, value_name = "GLOB", num_args = 1..)]
+    pub(crate) worlds: Vec<String>,
+    /// How many seeds [default: the experiment's own, see --help]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    pub(crate) seeds: Option<u64>,
+    /// How many drives at once [default: as many as there are cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) jobs: Option<u16>,
+    /// First seed; the others follow it. Parameters were tuned on seeds below 100
+    #[arg(long = "seed", value_name = "FIRST", default_value = "1000", value_parser = first_seed,
+        allow_negative_numbers = true)]
+    pub(crate) first: u64,
+    /// Directory for runs.csv and summary.json; made if it is missing. Without it only the tables
+    /// are shown
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Replace the files of an earlier run in DIR
+    #[arg(long, requires = "out")]
+    pub(crate) force: bool,
+}
+
 /// `cogmap check`.
 #[derive(Debug, Args)]
 pub(crate) struct CheckArguments {
@@ -143,6 +174,11 @@ pub(crate) struct OutputArguments {
 
 fn seed(text: &str) -> Result<u64, String> {
     text.parse().map_err(|_| format!("not a number from 0 to {}", u64::MAX))
+}
+
+fn first_seed(text: &str) -> Result<u64, String> {
+    const MOST: u64 = u64::MAX / 8;
+    seed(text).ok().filter(|seed| *seed <= MOST).ok_or_else(|| format!("not a number from 0 to {MOST}"))
 }
 
 fn above_zero(text: &str) -> Result<f64, String> {

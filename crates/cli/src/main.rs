@@ -2,7 +2,7 @@
 //! files, with the very code that the page runs.
 //!
 //! - [`arguments`] says what can be asked for,
-//! - [`run`], [`replay`] and [`check`] do it,
+//! - [`run`], [`replay`], [`study`] and [`check`] do it,
 //! - [`input`] tells a world from a log from a session, [`log`] finds and prepares a recording,
 //! - [`output`] owns a run's directory, [`conclusion`] fills it, [`summary`] says what came out,
 //! - [`failure`] is every way to end badly: what, where, and the way out.
@@ -18,6 +18,7 @@ mod progress;
 mod records;
 mod replay;
 mod run;
+mod study;
 mod summary;
 mod table;
 mod terminal;
@@ -47,6 +48,7 @@ fn fulfil(request: &Request) -> Result<(), Failure> {
     match request {
         Request::Run(arguments) => run::run(arguments),
         Request::Replay(arguments) => replay::replay(arguments),
+        Request::Study(arguments) => study::study(arguments),
         Request::Check(arguments) => check::check(&arguments.files),
     }
 }

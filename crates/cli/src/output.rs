@@ -7,7 +7,7 @@ use crate::failure::Failure;
 
 /// The beginnings and the ends of the names of all files that a run may leave; between them a
 /// mapper's name may stand.
-const RUN_FILES: [(&str, &str); 11] = [
+const RUN_FILES: [(&str, &str); 13] = [
     ("session", "json"),
     ("truth", "tum"),
     ("odometry", "tum"),
@@ -19,6 +19,8 @@ const RUN_FILES: [(&str, &str); 11] = [
     ("events", "jsonl"),
     ("report", "json"),
     ("timing", "json"),
+    ("runs", "csv"),
+    ("summary", "json"),
 ];
 
 /// A directory that belongs to one run. Each file appears in it whole or not at all.
@@ -31,7 +33,12 @@ pub(crate) struct Output {
 impl Output {
     /// The directory that the arguments name, if they name one.
     pub(crate) fn of(arguments: &OutputArguments) -> Result<Option<Self>, Failure> {
-        arguments.out.as_deref().map(|directory| Self::claim(directory, arguments.force)).transpose()
+        Self::at(arguments.out.as_deref(), arguments.force)
+    }
+
+    /// The directory of that name, if one is named.
+    pub(crate) fn at(directory: Option<&Path>, force: bool) -> Result<Option<Self>, Failure> {
+        directory.map(|directory| Self::claim(directory, force)).transpose()
     }
 
     /// Makes the directory, or takes one that exists. One with the files of another run is taken

@@ -2,12 +2,19 @@
 #[derive(Debug)]
 pub(crate) struct Table {
     rows: Vec<Vec<String>>,
+    /// Whether all columns are for words.
+    words: bool,
 }
 
 impl Table {
     /// A table with nothing under its heads.
     pub(crate) fn new(heads: &[&str]) -> Self {
-        Self { rows: vec![heads.iter().map(|&head| head.to_owned()).collect()] }
+        Self { rows: vec![heads.iter().map(|&head| head.to_owned()).collect()], words: false }
+    }
+
+    /// A table all of whose columns are for words.
+    pub(crate) fn of_words(heads: &[&str]) -> Self {
+        Self { words: true, ..Self::new(heads) }
     }
 
     /// Adds a row; a cell for each head.
@@ -19,7 +26,7 @@ impl Table {
     pub(crate) fn render(&self) -> String {
         let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0);
         let widths: Vec<usize> = (0..columns).map(|column| self.width(column)).collect();
-        self.rows.iter().map(|row| line(row, &widths)).collect()
+        self.rows.iter().map(|row| line(row, &widths, self.words)).collect()
     }
 
     fn width(&self, column: usize) -> usize {
@@ -27,11 +34,11 @@ impl Table {
     }
 }
 
-fn line(row: &[String], widths: &[usize]) -> String {
+fn line(row: &[String], widths: &[usize], words: bool) -> String {
     let mut line = String::new();
     for (column, (cell, &width)) in row.iter().zip(widths).enumerate() {
         line += "  ";
-        line += &if column == 0 { format!("{cell:<width$}") } else { format!("{cell:>width$}") };
+        line += &if column == 0 || words { format!("{cell:<width$}") } else { format!("{cell:>width$}") };
     }
     line.trim_end().to_owned() + "\n"
 }

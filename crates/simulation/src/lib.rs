@@ -44,7 +44,7 @@ pub use odometer::{Odometer, WheelTurns};
 pub use raycast::{Disc, Fan, Hit, RayGrid};
 pub use robot::{BodyParams, LaserParams, OdometryErrors, Robot};
 pub use session::{
-    Journal, MapperJournal, Recording, SESSION_FORMAT, Session, SessionRecord, Source, Stamped,
+    Journal, MapperJournal, Recording, SESSION_FORMAT, Session, SessionRecord, Source, Stamped, wall_of,
 };
 pub use solids::{Nearest, Obstacles, Solids};
 pub use world::{BoxObstacle, Door, Person, Post, Problem, Room, Start, World};

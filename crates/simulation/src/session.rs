@@ -10,12 +10,12 @@ mod variation;
 use std::sync::Arc;
 
 use cogmap_geometry::Pose;
-use cogmap_mapping::{Event, Mapper, perception::Scan};
+use cogmap_mapping::{Event, Mapper, perception::{Moment, Scan}};
 
 use checkpoint::Checkpoints;
 pub use feed::Recording;
 use feed::{Feed, Observation};
-pub use journal::{Journal, MapperJournal, Stamped};
+pub use journal::{Journal, MapperJournal, Stamped, wall_of};
 pub use record::{SESSION_FORMAT, SessionRecord, Source};
 
 use crate::{Command, Problem, Solids};
@@ -178,6 +178,24 @@ impl Session {
     #[must_use]
     pub fn last_scan(&self) -> Option<&Scan> {
         self.feed.last_scan()
+    }
+
+    /// How the robot was moving when the laser saw it; `None` for logs.
+    #[must_use]
+    pub fn last_moment(&self) -> Option<Moment> {
+        match &self.feed {
+            Feed::Drive(drive) => drive.last_moment(),
+            Feed::Log { .. } => None,
+        }
+    }
+
+    /// Which solid each beam of it truly measured; `None` for logs.
+    #[must_use]
+    pub fn last_beam_solids(&self) -> Option<&[Option<u32>]> {
+        match &self.feed {
+            Feed::Drive(drive) => drive.last_beam_solids(),
+            Feed::Log { .. } => None,
+        }
     }
 
     /// The building as the laser and the body meet it; `None` for logs.

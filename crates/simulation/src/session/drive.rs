@@ -30,7 +30,17 @@ pub(super) struct Drive {
     slip: Pcg64Mcg,
     noise: Pcg64Mcg,
     motion: Motion,
-    last_look: Option<(u64, Pose, Arc<Scan>)>,
+    last_look: Option<Look>,
+}
+
+/// What the laser saw last.
+#[derive(Clone)]
+struct Look {
+    tick: u64,
+    odom_from_robot: Pose,
+    moment: Moment,
+    scan: Arc<Scan>,
+    beam_solids: Arc<[Option<u32>]>,
 }
 
 /// What never changes during a run.
@@ -112,8 +122,8 @@ impl Drive {
 
     /// Whether the laser records now, between the ends of steps.
     fn moment_to_look(&self) -> Option<Moment> {
-        let (last_tick, odom_from_last, _) = self.last_look.as_ref()?;
-        let moved = odom_from_last.from_here(self.odom_from_robot());
+        let last = self.last_look.as_ref()?;
+        let moved = last.odom_from_robot.from_here(self.odom_from_robot());
         match self.motion {
             Motion::Resting => None,
             Motion::Stepping => {
@@ -121,7 +131,7 @@ impl Drive {
                 far.then_some(Moment::WithinStep)
             }
             Motion::Rolling => {
-                let due = self.tick >= last_tick + SCAN_TICKS && moved != Pose::IDENTITY;
+                let due = self.tick >= last.tick + SCAN_TICKS && moved != Pose::IDENTITY;
                 due.then_some(Moment::Rolling)
             }
         }
@@ -136,7 +146,9 @@ impl Drive {
         let world_from_robot = self.body.world_from_robot();
         let (scan, beam_solids) = self.stage.laser.scan(&self.stage.grid, world_from_robot, &mut self.noise);
         let odom_from_robot = self.odom_from_robot();
-        self.last_look = Some((self.tick, odom_from_robot, Arc::new(scan.clone())));
+        let (tick, solids) = (self.tick, Arc::from(beam_solids.as_slice()));
+        let look = Look { tick, odom_from_robot, moment, scan: Arc::new(scan.clone()), beam_solids: solids };
+        self.last_look = Some(look);
         let reading = Reading { t: self.time(), odom_from_robot, moment, scan };
         Observation { reading, world_from_robot: Some(world_from_robot), beam_solids }
     }
@@ -163,7 +175,15 @@ impl Drive {
     }
 
     pub(super) fn last_scan(&self) -> Option<&Scan> {
-        self.last_look.as_ref().map(|(_, _, scan)| scan.as_ref())
+        self.last_look.as_ref().map(|look| look.scan.as_ref())
+    }
+
+    pub(super) fn last_moment(&self) -> Option<Moment> {
+        self.last_look.as_ref().map(|look| look.moment)
+    }
+
+    pub(super) fn last_beam_solids(&self) -> Option<&[Option<u32>]> {
+        self.last_look.as_ref().map(|look| look.beam_solids.as_ref())
     }
 
     pub(super) fn solids(&self) -> &Solids {

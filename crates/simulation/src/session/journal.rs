@@ -106,7 +106,8 @@ impl MapperJournal {
 }
 
 /// The solid that most of the beams hit; of equals the one with the smallest number.
-fn wall_of(beams: &[Option<u32>]) -> Option<u32> {
+#[must_use]
+pub fn wall_of(beams: &[Option<u32>]) -> Option<u32> {
     let mut hits: Vec<u32> = beams.iter().flatten().copied().collect();
     hits.sort_unstable();
     let mut best: Option<(usize, u32)> = None;

@@ -1,0 +1,125 @@
+//! `cogmap study`: experiments with many seeds.
+
+mod tables;
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use cogmap_simulation::World;
+use cogmap_study::{Check, Outcome, Request, Seeds, Study, Summary, runner};
+
+use crate::arguments::StudyArguments;
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::output::Output;
+use crate::progress;
+use crate::table::Table;
+use crate::terminal;
+use crate::timing::Timing;
+
+/// Runs an experiment and leaves what came out; without a name, lists the experiments.
+pub(crate) fn study(arguments: &StudyArguments) -> Result<(), Failure> {
+    let Some(name) = &arguments.name else { return terminal::say(&list()) };
+    let study = Study::named(name).ok_or_else(|| unknown(name))?;
+    let mut timing = Timing::start();
+    let request = Request { worlds: worlds(&arguments.worlds)? };
+    let conditions = (study.plan)(&request).map_err(Failure::input)?;
+    let output = Output::at(arguments.out.as_deref(), arguments.force)?;
+    let seeds = Seeds { first: arguments.first, count: arguments.seeds.unwrap_or(study.seeds) };
+    timing.done("read");
+    let range = seeds.first..seeds.first + seeds.count;
+    let bar = progress::bar(runner::drives(&conditions, &range), "drives");
+    let jobs = arguments.jobs.map_or(0, usize::from);
+    let rows = runner::run(&conditions, range, jobs, || bar.inc(1)).map_err(Failure::run)?;
+    bar.finish_and_clear();
+    let outcome = Outcome { conditions, rows };
+    timing.done("drive, map and score");
+    let checks = (study.judge)(&outcome);
+    conclude(study, seeds, (&outcome, &checks), (output.as_ref(), timing))
+}
+
+/// Writes the files and shows the tables.
+fn conclude(
+    study: &Study,
+    seeds: Seeds,
+    (outcome, checks): (&Outcome, &[Check]),
+    (output, mut timing): (Option<&Output>, Timing),
+) -> Result<(), Failure> {
+    let summary = Summary::of(study, seeds, outcome, checks);
+    let summary = serde_json::to_string_pretty(&summary).unwrap_or_default() + "\n";
+    timing.done("sum up");
+    let mut said = tables::of(study, seeds, outcome, checks);
+    said += &format!("\nDone in {:.1} s.", timing.total());
+    said += &match output {
+        Some(output) => {
+            output.write_all(&[
+                ("runs.csv".into(), outcome.csv().into_bytes()),
+                ("summary.json".into(), summary.into_bytes()),
+            ])?;
+            output.write("timing.json", timing.to_json().as_bytes())?;
+            let place = output.directory().display();
+            format!(" Every run is in {place}/runs.csv, every figure in {place}/summary.json.\n")
+        }
+        None => " Nothing was kept: add --out DIR for every run and every figure.\n".into(),
+    };
+    terminal::say(&said)
+}
+
+/// The worlds that patterns name.
+fn worlds(patterns: &[String]) -> Result<Vec<Arc<World>>, Failure> {
+    let mut worlds = Vec::new();
+    for pattern in patterns {
+        let of = |what: String| Failure::input(format!("--worlds {pattern}: {what}"));
+        let paths = glob::glob(pattern).map_err(|error| of(error.msg.to_owned()))?;
+        let mut paths: Vec<PathBuf> = paths.filter_map(Result::ok).collect();
+        paths.sort();
+        if paths.is_empty() {
+            return Err(of("no such file".into()).help("name world files, as in 'worlds/*.world.json'"));
+        }
+        for path in paths {
+            let input = Input::read(&path)?;
+            let world = cogmap_formats::world::read(input.text()?, &input.name)?;
+            let problems = world.problems();
+            if !problems.is_empty() {
+                return Err(crate::run::problems_of(&path, &problems));
+            }
+            worlds.push(Arc::new(world));
+        }
+    }
+    Ok(worlds)
+}
+
+fn unknown(name: &str) -> Failure {
+    let names: Vec<&str> = Study::ALL.iter().map(|study| study.name).collect();
+    Failure::input(format!("there is no study `{name}`")).help(format!("choose from {}", names.join(", ")))
+}
+
+/// The names with a line each.
+fn list() -> String {
+    let mut table = Table::of_words(&["study", "what it asks"]);
+    for study in &Study::ALL {
+        table.row(vec![study.name.into(), study.line.into()]);
+    }
+    format!("{}\nRun one: cogmap study NAME --out DIR. Explained: cogmap study --help\n", table.render())
+}
+
+/// How the command is called.
+pub(crate) fn examples() -> String {
+    "Example: cogmap study\n\
+     Example: cogmap study loop-b --out loop-b\n\
+     Example: cogmap study small --seeds 20 --seed 1 --worlds 'worlds/*office.world.json'\n\n\
+     `cogmap study --help` explains each study."
+        .to_owned()
+}
+
+/// What each study runs and measures.
+pub(crate) fn explanations() -> String {
+    let mut text = String::from("Studies:\n\n");
+    for study in &Study::ALL {
+        let level = study.level.map(|level| format!(" Varied: {level}.")).unwrap_or_default();
+        text += &format!("{} ({} seeds)\n  {}{level}\n\n", study.name, study.seeds, study.about);
+    }
+    text + "runs.csv has a row for each run and mapper, the same seeds for all mappers; summary.json has every\n\
+            figure with its 95 % interval, every parameter, and what each column means.\n\n"
+        + &examples()
+}

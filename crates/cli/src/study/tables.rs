@@ -1,0 +1,106 @@
+use cogmap_study::metrics::Estimate;
+use cogmap_study::{Check, Group, Kind, Measure, Outcome, Seeds, Study, Verdict};
+
+use crate::table::Table;
+
+/// What came out of a study, for people.
+pub(crate) fn of(study: &Study, seeds: Seeds, outcome: &Outcome, checks: &[Check]) -> String {
+    let last = seeds.first + seeds.count - 1;
+    let shown: Vec<&Measure> = study.shown.iter().filter_map(|name| Measure::named(name)).collect();
+    let mut said = format!("{}, seeds {} to {last}\n", study.name, seeds.first);
+    for condition in 0..outcome.conditions.len() {
+        let title = outcome.conditions[condition].title();
+        said += &format!("\n{title}\n{}", groups(outcome, condition, &shown));
+    }
+    said += &legend(&shown);
+    if !checks.is_empty() {
+        said += &format!("\nWhat the runs say\n{}", verdicts(checks));
+    }
+    said
+}
+
+fn groups(outcome: &Outcome, condition: usize, shown: &[&Measure]) -> String {
+    let heads: Vec<&str> = std::iter::once("mapper").chain(shown.iter().map(|measure| measure.head)).collect();
+    let mut table = Table::new(&heads);
+    for group in outcome.groups().filter(|group| group.condition == condition) {
+        let cells = shown.iter().map(|measure| cell(&group, measure));
+        table.row(std::iter::once(group.label().to_owned()).chain(cells).collect());
+    }
+    table.render()
+}
+
+fn cell(group: &Group<'_>, measure: &Measure) -> String {
+    let Some(figure) = group.figure(measure) else { return "–".to_owned() };
+    written(figure, is_share(measure))
+}
+
+/// Rates and parts of a count are written per cent; lengths over lengths and pieces over walls are not.
+fn is_share(measure: &Measure) -> bool {
+    match measure.kind {
+        Kind::Median => false,
+        Kind::Rate => true,
+        Kind::Part(_) => !matches!(measure.name, "pieces" | "length_mapped"),
+    }
+}
+
+/// A figure and its interval.
+fn written(figure: Estimate, share: bool) -> String {
+    let Estimate { value, interval, .. } = figure;
+    if share {
+        let [value, low, high] = [value, interval.low, interval.high].map(|value| rounded(value * 100.0));
+        format!("{value} % ({low}–{high})")
+    } else {
+        let [value, low, high] = [value, interval.low, interval.high].map(rounded);
+        format!("{value} ({low}–{high})")
+    }
+}
+
+/// Three digits that mean something, or none after the point from 100 on.
+fn rounded(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".to_owned(),
+        size if size < 1.0 => format!("{value:.3}"),
+        size if size < 10.0 => format!("{value:.2}"),
+        size if size < 100.0 => format!("{value:.1}"),
+        _ => format!("{value:.0}"),
+    }
+}
+
+fn legend(shown: &[&Measure]) -> String {
+    let mut table = Table::of_words(&["", ""]);
+    for measure in shown {
+        let unit = if measure.unit.is_empty() { String::new() } else { format!(" ({})", measure.unit) };
+        table.row(vec![measure.head.to_owned(), format!("{}{unit}", measure.meaning)]);
+    }
+    format!("{}  Medians, rates and ratios over all runs, in brackets their 95 % intervals.\n", table.render())
+}
+
+fn verdicts(checks: &[Check]) -> String {
+    let mut table = Table::of_words(&["verdict", "met", "figure", "criterion"]);
+    for check in checks {
+        let verdict = match check.verdict {
+            Verdict::Supported => "supported",
+            Verdict::Refuted => "refuted",
+            Verdict::Undecided => "undecided",
+        };
+        let met = if check.met { "yes" } else { "no" };
+        let figure = check.figure.map_or("no runs".to_owned(), |figure| written(figure, check.share));
+        table.row(vec![verdict.into(), met.into(), figure, check.criterion.clone()]);
+    }
+    table.render()
+        + "  met: the figure itself; supported, refuted: its whole 95 % interval; undecided: more runs are needed.\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use cogmap_study::metrics::Interval;
+
+    use super::*;
+
+    #[test]
+    fn figures_are_written_with_their_intervals() {
+        let figure = Estimate { value: 0.9515, interval: Interval { low: 0.9, high: 1.0 }, runs: 200 };
+        assert_eq!(written(figure, true), "95.2 % (90.0–100)");
+        assert_eq!(written(figure, false), "0.952 (0.900–1.00)");
+    }
+}

@@ -1,0 +1,123 @@
+use serde::Serialize;
+
+/// A column of `runs.csv`: one number that a run is judged by.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Measure {
+    /// The column's name; it never changes its meaning.
+    pub name: &'static str,
+    /// The same, short, for the table on screen.
+    pub head: &'static str,
+    /// Its unit; empty for counts and shares.
+    pub unit: &'static str,
+    /// One line for people.
+    pub meaning: &'static str,
+    /// How many runs are put together.
+    #[serde(skip)]
+    pub kind: Kind,
+}
+
+/// How the values of many runs become one figure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// The median with its bootstrap interval.
+    Median,
+    /// 1 where it happened and 0 where not: a rate with Wilson's interval.
+    Rate,
+    /// Part of another column: the sum over the sum, with its bootstrap interval over runs.
+    Part(&'static str),
+}
+
+impl Measure {
+    /// The measure of that name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<&'static Self> {
+        MEASURES.iter().find(|measure| measure.name == name)
+    }
+}
+
+const fn median(
+    name: &'static str,
+    head: &'static str,
+    unit: &'static str,
+    meaning: &'static str,
+) -> Measure {
+    Measure { name, head, unit, meaning, kind: Kind::Median }
+}
+
+const fn rate(name: &'static str, head: &'static str, meaning: &'static str) -> Measure {
+    Measure { name, head, unit: "", meaning, kind: Kind::Rate }
+}
+
+const fn part(
+    name: &'static str,
+    head: &'static str,
+    of: &'static str,
+    meaning: &'static str,
+) -> Measure {
+    Measure { name, head, unit: "", meaning, kind: Kind::Part(of) }
+}
+
+/// Every measure, in the order of the columns.
+#[rustfmt::skip]
+pub const MEASURES: [Measure; 45] = [
+    rate("arrived", "arrived", "the person at the controls came to the end of the route"),
+    median("way", "way", "m", "length of the true way"),
+    median("steps", "steps", "", "movement steps"),
+    median("views", "views", "", "views that the mapper took in"),
+    part("views_stored", "stored", "views", "views of which at least one surface was stored"),
+    median("surfaces", "surfaces", "", "surfaces in the map"),
+    median("surfaces_long", "long", "", "surfaces in the map of at least 1 m"),
+    median("shape", "shape", "m", "rms distance of the way in the map from the true one, laid on it as well as can be"),
+    median("shape_share", "shape %", "%", "the same as a share of the way"),
+    median("side_angle", "sides", "°", "rms turn of the walls of at least 3 m, the map laid by its whole way"),
+    median("gap", "gap", "m", "closing gap: how far from where it believes to be the robot stands at the end"),
+    median("gap_share", "gap %", "%", "the same as a share of the way"),
+    median("heading_gap", "turned", "°", "how far the robot is turned from where it believes to look at the end"),
+    median("displacement", "displ.", "m", "median displacement of long surfaces from their walls, the map laid by its first view"),
+    part("displaced_first", ">0.5 first", "walls_named", "long surfaces displaced by more than 0.5 m, the map laid by its first view"),
+    part("displaced", ">0.5 m", "walls_named", "long surfaces displaced by more than 0.5 m, the map laid by its whole way"),
+    median("walls_named", "named", "", "long surfaces whose true wall is known"),
+    part("displaced_any_first", ">0.5 any, first", "any_named", "surfaces of any length displaced by more than 0.5 m, the map laid by its first view"),
+    part("displaced_any", ">0.5 any", "any_named", "surfaces of any length displaced by more than 0.5 m, the map laid by its whole way"),
+    median("any_named", "any named", "", "surfaces of any length whose true wall is known"),
+    part("pieces", "per wall", "walls", "pieces per true long wall, once those are joined that go on from each other; 1 is ideal"),
+    median("walls", "walls", "", "true long walls that stand in the map"),
+    part("length_mapped", "length ×", "length_shown", "metres of long surfaces over metres of true wall that they show; 1 is ideal"),
+    median("length_shown", "shown", "m", "metres of true wall that the long surfaces show"),
+    rate("blocked", "blocked", "a surface of the map stands in the way that the robot drove"),
+    median("blocked_steps", "bl. steps", "", "steps of the driven way that would run into a surface of the map"),
+    median("weak", "weak", "", "views placed by a reference whose place along its own line was a guess"),
+    median("fallbacks", "fallbacks", "", "views placed by odometry because nothing was recognised"),
+    part("fallbacks_excused", "excused", "fallbacks", "those in which what was in view could not tell where the robot is: nothing, or parallel walls"),
+    median("partly", "partly", "", "views in which odometry decided along a direction"),
+    part("partly_excused", "excused", "partly", "those in which what was in view left a direction open: nothing, or parallel walls"),
+    median("longest_fallback", "longest", "m", "longest stretch of the way placed by odometry alone"),
+    median("error_2", "2 m", "m", "rms error over stretches of 2 m"),
+    median("error_4", "4 m", "m", "rms error over stretches of 4 m"),
+    median("error_8", "8 m", "m", "rms error over stretches of 8 m"),
+    median("error_16", "16 m", "m", "rms error over stretches of 16 m"),
+    median("error_32", "32 m", "m", "rms error over stretches of 32 m"),
+    median("error_64", "64 m", "m", "rms error over stretches of 64 m"),
+    median("rectangle", "rectangle", "m", "rms distance of the long surfaces of the room's outline from a rectangle"),
+    median("rectangle_angle", "sides", "°", "rms turn of those surfaces from the rectangle's sides"),
+    median("asrs", "ASRs", "", "local spaces in the network"),
+    median("exits", "exits", "", "exits in the network"),
+    rate("loop_closed", "loop", "the network closed a loop"),
+    median("recognised", "recogn.", "", "times that the robot found itself back in a place that it knew"),
+    median("frames", "frames", "", "local frames of the map"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_stands_once_and_every_part_is_of_another_column() {
+        for (index, measure) in MEASURES.iter().enumerate() {
+            assert!(MEASURES[..index].iter().all(|other| other.name != measure.name), "{}", measure.name);
+            if let Kind::Part(of) = measure.kind {
+                assert!(Measure::named(of).is_some(), "{of}");
+            }
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! What a run was worth: every measure of one mapper.
+
+mod odometry;
+mod places;
+mod surfaces;
+mod way;
+
+use std::collections::BTreeMap;
+
+use cogmap_simulation::{Solids, World};
+
+use crate::{Drive, Mapping, Measure, metrics::Walls};
+
+/// The measures of one mapper in one run, by name.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Values(BTreeMap<&'static str, f64>);
+
+/// What is known of a building and the robot never sees.
+#[derive(Clone, Debug)]
+pub struct Truth {
+    /// Its straight walls.
+    pub walls: Walls,
+    /// Radius of the robot's footprint, metres.
+    pub radius: f64,
+}
+
+impl Values {
+    /// The value of that name.
+    #[must_use]
+    pub fn get(&self, name: &str) -> Option<f64> {
+        self.0.get(name).copied()
+    }
+
+    /// Writes a value down; a name that is no [`Measure`]'s is left out.
+    pub(crate) fn put(&mut self, name: &str, value: impl Into<Option<f64>>) {
+        debug_assert!(Measure::named(name).is_some(), "{name} is no measure");
+        if let (Some(measure), Some(value)) = (Measure::named(name), value.into()) {
+            self.0.insert(measure.name, value);
+        }
+    }
+}
+
+impl Truth {
+    /// The truth about a building.
+    #[must_use]
+    pub fn of(world: &World, radius: f64) -> Self {
+        let Solids { segments, discs } = Solids::of(world);
+        let posts: Vec<_> = discs.iter().map(|disc| disc.center).collect();
+        Self { walls: Walls::of(&segments, &posts), radius }
+    }
+}
+
+/// Every measure of what a mapper made of a drive.
+#[must_use]
+pub fn score(drive: &Drive, mapping: &Mapping, truth: &Truth) -> Values {
+    let mut values = Values::default();
+    let samples = mapping.samples(drive);
+    values.put("arrived", f64::from(u8::from(drive.arrived)));
+    way::score(&samples, &mut values);
+    surfaces::score(&mapping.surfaces(drive, &truth.walls), (truth, &samples), &mut values);
+    surfaces::score_way(mapping, (truth, &samples), &mut values);
+    odometry::score(drive, mapping, &mut values);
+    places::score(mapping, &mut values);
+    values
+}
+
+/// A count as a measure.
+#[allow(clippy::cast_precision_loss, reason = "nobody counts to 2^53")]
+fn count(number: usize) -> f64 {
+    number as f64
+}

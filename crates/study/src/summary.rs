@@ -1,0 +1,88 @@
+use std::collections::BTreeMap;
+
+use cogmap_mapping::MapperSetup;
+use cogmap_simulation::Robot;
+use serde::Serialize;
+
+use crate::{Check, Condition, MEASURES, Measure, Outcome, Study, metrics::Estimate};
+
+/// Which seeds were run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Seeds {
+    /// The first.
+    pub first: u64,
+    /// How many, one after the other.
+    pub count: u64,
+}
+
+/// `summary.json`: everything that a study found out, and everything that it depends on.
+#[derive(Serialize)]
+pub struct Summary<'a> {
+    format: &'static str,
+    study: &'static str,
+    about: &'static str,
+    program: Program,
+    seeds: Seeds,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    level: Option<&'static str>,
+    checks: &'a [Check],
+    groups: Vec<GroupSummary<'a>>,
+    measures: &'static [Measure],
+    robots: BTreeMap<&'a str, &'a Robot>,
+    mappers: BTreeMap<&'a str, &'a MapperSetup>,
+}
+
+#[derive(Serialize)]
+struct Program {
+    name: &'static str,
+    version: &'static str,
+}
+
+/// The figures of one mapper under one condition.
+#[derive(Serialize)]
+struct GroupSummary<'a> {
+    world: &'a str,
+    route: &'a str,
+    robot: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    level: Option<f64>,
+    mapper: &'a str,
+    figures: BTreeMap<&'static str, Estimate>,
+}
+
+impl<'a> Summary<'a> {
+    /// Sums up a study.
+    #[must_use]
+    pub fn of(study: &Study, seeds: Seeds, outcome: &'a Outcome, checks: &'a [Check]) -> Self {
+        let conditions = &outcome.conditions;
+        let variants = conditions.iter().flat_map(|condition| &condition.mappers);
+        Self {
+            format: "cogmap-study/1",
+            study: study.name,
+            about: study.about,
+            program: Program { name: "cogmap", version: env!("CARGO_PKG_VERSION") },
+            seeds,
+            level: study.level,
+            checks,
+            groups: outcome.groups().map(|group| GroupSummary::of(&group)).collect(),
+            measures: &MEASURES,
+            robots: conditions.iter().map(|condition| (condition.robot.name.as_str(), &condition.robot)).collect(),
+            mappers: variants.map(|variant| (variant.label.as_str(), &variant.setup)).collect(),
+        }
+    }
+}
+
+impl<'a> GroupSummary<'a> {
+    fn of(group: &crate::Group<'a>) -> Self {
+        let Condition { course, robot, level, .. } = group.of();
+        let figure = |measure: &'static Measure| Some((measure.name, group.figure(measure)?));
+        Self {
+            world: &course.world.name,
+            route: &course.route_name,
+            robot: &robot.name,
+            level: *level,
+            mapper: group.label(),
+            figures: MEASURES.iter().filter_map(figure).collect(),
+        }
+    }
+}
