@@ -70,6 +70,7 @@ mod tests {
             residual: 0.0,
             range: 3.0,
             incidence: 0.3,
+            label: None,
         };
         View { surfaces: walls.iter().map(surface).collect() }
     }
