@@ -1,6 +1,9 @@
-//! A drive of which each mapper's map has its SHA-256 in `tests/goldens/same-bytes.txt`; the tests of `cogmap-wasm` replay
-//! the same session in Node and in a browser and compare with the same file. After a wanted change
-//! run the tests with `UPDATE_GOLDENS=1`.
+//! Drives of which each mapper's map has its SHA-256 in `tests/goldens/`: a session driven by hand in
+//! `same-bytes.txt`, the first steps through every designed world in `same-bytes-worlds.txt`. The
+//! tests of `cogmap-wasm` do the same in Node and in a browser and compare with the same files. After
+//! a wanted change run the tests with `UPDATE_GOLDENS=1`.
+
+mod first_steps;
 
 use std::{env, fs, path::PathBuf};
 
@@ -56,4 +59,28 @@ fn one_session_gives_the_same_bytes_everywhere() {
     session.jump(session.end());
     assert!(session.mappers()[0].mfis().surfaces().len() > 50, "the drive has something to compare");
     assert_eq!(map_digests(&session), fs::read_to_string(golden("same-bytes.txt")).unwrap());
+}
+
+#[test]
+fn every_mapper_gives_the_same_bytes_everywhere_in_every_designed_world() {
+    let digests: String =
+        first_steps::WORLDS.iter().map(|(name, file)| first_steps::digests(name, file)).collect();
+    if env::var_os("UPDATE_GOLDENS").is_some() {
+        fs::write(golden("same-bytes-worlds.txt"), &digests).unwrap();
+    }
+    let known = fs::read_to_string(golden("same-bytes-worlds.txt")).unwrap();
+    for (line, known) in digests.lines().zip(known.lines()) {
+        assert_eq!(line, known);
+    }
+    assert_eq!(digests.lines().count(), known.lines().count());
+}
+
+#[test]
+fn no_designed_world_is_left_out() {
+    let worlds = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../worlds")).unwrap();
+    let names = worlds.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let mut names: Vec<_> =
+        names.filter_map(|name| Some(name.strip_suffix(".world.json")?.to_owned())).collect();
+    names.sort_unstable();
+    assert_eq!(names, first_steps::WORLDS.map(|(name, _)| name));
 }

@@ -2,6 +2,7 @@ use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
+use cogmap_formats::plan::MapServer;
 use cogmap_mapping::MapperSetup;
 
 /// The mapper of a command that names none.
@@ -47,7 +48,9 @@ const RUN_EXAMPLES: &str = "\
 Example: cogmap run worlds/small-office.world.json --out first-run
 Example: cogmap run worlds/small-office.world.json --robot good --seed 7 --route random
 Example: cogmap run worlds/small-office.world.json --mapper perceptual --mapper odometry --out both
+Example: cogmap run plan.png --resolution 0.05 --route random --out plan
 
+In a floor plan everything that is not free is solid, and the robot starts where there is most room.
 The person who drives sees the true building; the mappers see only the laser and the wheels.
 A robot FILE is a JSON file; `--out` leaves one in session.json, under \"robot\".";
 
@@ -62,14 +65,18 @@ that it was given, or beside itself, and makes sure that it is the very same log
 const CHECK_EXAMPLES: &str = "\
 Example: cogmap check worlds/*.world.json
 Example: cogmap check intel.log.gz first-run/session.json
+Example: cogmap check hall.yaml
 
 Exit code 2 if anything is wrong with any of the files.";
 
 /// `cogmap run`.
 #[derive(Debug, Args)]
 pub(crate) struct RunArguments {
-    /// World file to drive in (NAME.world.json)
+    /// World to drive in: NAME.world.json, a ROS map_server YAML with its picture, or a PNG or PGM
+    /// floor plan
     pub(crate) world: PathBuf,
+    #[command(flatten)]
+    pub(crate) picture: PictureArguments,
     /// How far the odometry can be trusted: perfect, good, bad, or a robot FILE
     #[arg(long, value_name = "perfect|good|bad|FILE", default_value = "bad")]
     pub(crate) robot: PathBuf,
@@ -141,9 +148,19 @@ pub(crate) struct StudyArguments {
 /// `cogmap check`.
 #[derive(Debug, Args)]
 pub(crate) struct CheckArguments {
-    /// Worlds, logs and sessions
+    /// Worlds, floor plans, logs and sessions
     #[arg(value_name = "FILE", required = true)]
     pub(crate) files: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(crate) picture: PictureArguments,
+}
+
+/// How large a plain picture is.
+#[derive(Debug, Args)]
+pub(crate) struct PictureArguments {
+    /// Metres a pixel, for a picture without a map_server file
+    #[arg(long, value_name = "M", value_parser = resolution, allow_negative_numbers = true)]
+    pub(crate) resolution: Option<f64>,
 }
 
 /// Which mappers.
@@ -185,6 +202,14 @@ fn above_zero(text: &str) -> Result<f64, String> {
     match number(text)? {
         value if value > 0.0 => Ok(value),
         _ => Err("give a number above 0".into()),
+    }
+}
+
+fn resolution(text: &str) -> Result<f64, String> {
+    let [low, high] = MapServer::RESOLUTIONS;
+    match number(text)? {
+        value if (low..=high).contains(&value) => Ok(value),
+        _ => Err(format!("give the metres of a pixel, from {low} to {high}")),
     }
 }
 

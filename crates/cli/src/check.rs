@@ -1,9 +1,10 @@
 use std::path::{Path, PathBuf};
 
-use cogmap_formats::{carmen, session, world};
+use cogmap_formats::{carmen, plan::Plan, session, world};
 use cogmap_geometry::DVec2;
 use cogmap_simulation::{SessionRecord, Source, TICK, World};
 
+use crate::building;
 use crate::failure::Failure;
 use crate::input::{Input, Kind};
 use crate::log::{self, counted};
@@ -12,11 +13,14 @@ use crate::terminal;
 /// How many broken lines are told one by one.
 const TOLD: usize = 10;
 
+/// Less floor than this that a plan loses is not told, square metres.
+const WORTH_TELLING: f64 = 0.05;
+
 /// Says of each file what it is, what is in it, and what is wrong with it.
-pub(crate) fn check(files: &[PathBuf]) -> Result<(), Failure> {
+pub(crate) fn check(files: &[PathBuf], resolution: Option<f64>) -> Result<(), Failure> {
     let mut bad = 0;
     for path in files {
-        match describe(path) {
+        match describe(path, resolution) {
             Ok(description) => terminal::say(&format!("{}: {description}\n", path.display()))?,
             Err(failure) => {
                 terminal::complain(&failure);
@@ -31,14 +35,16 @@ pub(crate) fn check(files: &[PathBuf]) -> Result<(), Failure> {
     }
 }
 
-fn describe(path: &Path) -> Result<String, Failure> {
+fn describe(path: &Path, resolution: Option<f64>) -> Result<String, Failure> {
     let input = Input::read(path)?;
     match input.kind() {
         Kind::World => Ok(of_world(&world::read(input.text()?, &input.name)?)),
+        Kind::Picture => Ok(of_plan(&building::of_picture(&input, path, resolution)?)),
+        Kind::MapServer => Ok(of_plan(&building::of_map_server(&input, path)?)),
         Kind::Session => of_session(&input, path),
         Kind::Log => of_log(&input),
         Kind::Other(what) => Err(Failure::input(format!("{}: this is {what}", input.name))
-            .help("a world, a CARMEN log or a session can be checked")),
+            .help("a world, a floor plan, a CARMEN log or a session can be checked")),
     }
 }
 
@@ -65,6 +71,21 @@ fn of_world(world: &World) -> String {
         _ => format!("routes: {}; all can be driven", routes.join(", ")),
     };
     format!("a world, \"{}\"\n  {walls:.1} m of wall, {}\n  {routes}", world.name, furniture.join(", "))
+}
+
+fn of_plan(plan: &Plan) -> String {
+    let ([width, height], [x, y]) = (plan.size, plan.world.start.position);
+    let left_out = match plan.left_out {
+        area if area < WORTH_TELLING => String::new(),
+        area => format!("\n  left out: {area:.1} m² of floor that the robot cannot get to"),
+    };
+    format!(
+        "a floor plan of {width:.1} m by {height:.1} m, {} m a pixel\n  {:.1} m² of floor within {} of wall; \
+         the robot starts at [{x:.2}, {y:.2}]{left_out}",
+        plan.resolution,
+        plan.kept,
+        counted(plan.pieces, "piece", "pieces"),
+    )
 }
 
 fn of_log(input: &Input) -> Result<String, Failure> {

@@ -16,6 +16,10 @@ pub(crate) enum Kind {
     Session,
     /// Text that is none of the others: taken for a CARMEN log, whose reader has the last word.
     Log,
+    /// A PNG or PGM picture: perhaps a floor plan.
+    Picture,
+    /// A ROS `map_server` description of a floor plan.
+    MapServer,
     /// Something that Cogmap cannot use, by its name for people.
     Other(&'static str),
 }
@@ -72,10 +76,13 @@ fn read_whole(path: &Path) -> Result<Vec<u8>, Failure> {
 }
 
 fn kind_of(plain: &[u8]) -> Kind {
+    if plain.starts_with(b"\x89PNG")
+        || matches!(plain, [b'P', b'2' | b'5', space, ..] if space.is_ascii_whitespace())
+    {
+        return Kind::Picture;
+    }
     for (magic, name) in [
-        (&b"\x89PNG"[..], "a PNG picture"),
-        (b"\xff\xd8\xff", "a JPEG picture"),
-        (b"P5", "a PGM picture"),
+        (&b"\xff\xd8\xff"[..], "a JPEG picture"),
         (b"\x89MCAP", "an MCAP log"),
         (b"PK\x03\x04", "a ZIP archive"),
     ] {
@@ -95,9 +102,7 @@ fn kind_of_text(text: &str) -> Kind {
         Some(b'{' | b'[') => kind_of_json(text),
         Some(b'<') if text.contains("<svg") => Kind::Other("an SVG picture"),
         Some(b'<') => Kind::Other("an XML or HTML file"),
-        _ if has_line(text, "image:") && has_line(text, "resolution:") => {
-            Kind::Other("a ROS map_server file")
-        }
+        _ if has_line(text, "image:") || has_line(text, "resolution:") => Kind::MapServer,
         _ if has_line(text, "define ") || has_line(text, "include ") => Kind::Other("a Stage world"),
         _ => Kind::Log,
     }
@@ -136,14 +141,16 @@ mod tests {
             (r#"{"walls":[]}"#, Kind::World),
             ("[[0,0],[1,1]]", Kind::Other("a JSON list")),
             ("# a comment\nFLASER 1 2 0 0 0 0 0 0 1 h 1\n", Kind::Log),
-            ("image: a.png\nresolution: 0.05\n", Kind::Other("a ROS map_server file")),
+            ("image: a.png\nresolution: 0.05\n", Kind::MapServer),
+            ("# a plan\nimage: a.png\n", Kind::MapServer),
+            ("P2 3 3 255\n", Kind::Picture),
             ("define sicklaser ranger ()\n", Kind::Other("a Stage world")),
             ("<?xml version='1.0'?><svg/>", Kind::Other("an SVG picture")),
             (" \n", Kind::Other("an empty file")),
         ] {
             assert_eq!(kind_of(content.as_bytes()), kind, "{content}");
         }
-        assert_eq!(kind_of(b"\x89PNG\r\n"), Kind::Other("a PNG picture"));
+        assert_eq!(kind_of(b"\x89PNG\r\n"), Kind::Picture);
         assert_eq!(kind_of(b"\xfe\x00\x01"), Kind::Other("a binary file"));
     }
 }

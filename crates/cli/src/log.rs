@@ -68,13 +68,18 @@ pub(crate) fn source(input: &Input, every: Option<f64>, odometry_noise: f64) -> 
 /// A log, or the reason why this is none.
 pub(crate) fn not_a_log(input: &Input, kind: Kind) -> Failure {
     let name = &input.name;
+    let nothing_to_replay = |what: &str| {
+        Failure::input(format!("{name}: this is {what}, not a log"))
+            .help("give a CARMEN log (.log, .clf; gzipped or not) or the session.json of an earlier run")
+    };
     match kind {
         Kind::World => {
             Failure::input(format!("{name}: this is a world, and a world has to be driven through"))
                 .help(format!("cogmap run {name}"))
         }
-        Kind::Other(what) => Failure::input(format!("{name}: this is {what}, not a log"))
-            .help("give a CARMEN log (.log, .clf; gzipped or not) or the session.json of an earlier run"),
+        Kind::Picture => nothing_to_replay("a picture"),
+        Kind::MapServer => nothing_to_replay("a ROS map_server file"),
+        Kind::Other(what) => nothing_to_replay(what),
         Kind::Log | Kind::Session => Failure::input(format!("{name}: cannot be replayed")),
     }
 }

@@ -3,11 +3,13 @@
 //!
 //! - [`arguments`] says what can be asked for,
 //! - [`run`], [`replay`], [`study`] and [`check`] do it,
-//! - [`input`] tells a world from a log from a session, [`log`] finds and prepares a recording,
+//! - [`input`] tells a world from a log from a session, [`building`] makes a world of a floor plan,
+//!   [`log`] finds and prepares a recording,
 //! - [`output`] owns a run's directory, [`conclusion`] fills it, [`summary`] says what came out,
 //! - [`failure`] is every way to end badly: what, where, and the way out.
 
 mod arguments;
+mod building;
 mod check;
 mod conclusion;
 mod failure;
@@ -49,6 +51,6 @@ fn fulfil(request: &Request) -> Result<(), Failure> {
         Request::Run(arguments) => run::run(arguments),
         Request::Replay(arguments) => replay::replay(arguments),
         Request::Study(arguments) => study::study(arguments),
-        Request::Check(arguments) => check::check(&arguments.files),
+        Request::Check(arguments) => check::check(&arguments.files, arguments.picture.resolution),
     }
 }

@@ -6,9 +6,10 @@ use cogmap_mapping::{Event, MapperSetup};
 use cogmap_simulation::{Driver, Robot, Session, SessionRecord, Source, World, random_route};
 
 use crate::arguments::{DEFAULT_MAPPER, RunArguments};
+use crate::building;
 use crate::conclusion::Conclusion;
 use crate::failure::Failure;
-use crate::input::{Input, Kind};
+use crate::input::Input;
 use crate::output::Output;
 use crate::progress;
 use crate::records::Records;
@@ -21,7 +22,7 @@ const ARRIVED: f64 = 0.5;
 pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let mut timing = Timing::start();
     let mappers = setups(&arguments.mappers.names)?;
-    let world = read_world(&arguments.world)?;
+    let world = building::read(&arguments.world, arguments.picture.resolution)?;
     let robot = robot(&arguments.robot)?;
     let (route_name, route) = route(arguments, &world, &robot)?;
     let driver = Driver::new(&world, &robot, &route).map_err(|problem| {
@@ -54,24 +55,6 @@ pub(crate) fn setups(names: &[String]) -> Result<Vec<MapperSetup>, Failure> {
             .help(format!("choose from {}", MapperSetup::NAMES.join(", ")))
     };
     names.iter().map(|name| MapperSetup::named(name).ok_or_else(|| unknown(name))).collect()
-}
-
-fn read_world(path: &Path) -> Result<World, Failure> {
-    let input = Input::read(path)?;
-    let name = &input.name;
-    let not_a_world = |what: &str, way_out: String| {
-        Err(Failure::input(format!("{name}: this is {what}, not a world file")).help(way_out))
-    };
-    let replay = format!("cogmap replay {name}");
-    match input.kind() {
-        Kind::World => Ok(cogmap_formats::world::read(input.text()?, name)?),
-        Kind::Session => not_a_world("a session", replay),
-        Kind::Log => not_a_world("a log", replay),
-        Kind::Other(what) => not_a_world(
-            what,
-            "give a NAME.world.json: JSON with \"format\": \"cogmap-world/1\" and walls in metres".into(),
-        ),
-    }
 }
 
 fn robot(wanted: &Path) -> Result<Robot, Failure> {

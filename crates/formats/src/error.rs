@@ -125,6 +125,16 @@ pub enum FormatError {
         /// What to do.
         remedy: &'static str,
     },
+    /// A picture that cannot become a world.
+    #[error("{place}: {problem}; {remedy}")]
+    Picture {
+        /// The file.
+        place: Place,
+        /// What is wrong with it.
+        problem: String,
+        /// What to do.
+        remedy: &'static str,
+    },
     /// Compressed data that cannot be unpacked.
     #[error(
         "{place}: the gzip data is broken ({problem}); fetch the file again, or unpack it and pass the result"
@@ -167,6 +177,7 @@ impl FormatError {
             | Self::WrongFormat { place, .. }
             | Self::Problems { place, .. }
             | Self::Line { place, .. }
+            | Self::Picture { place, .. }
             | Self::Gzip { place, .. }
             | Self::TooLarge { place, .. }
             | Self::NoScan { place, .. } => place,

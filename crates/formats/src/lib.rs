@@ -3,6 +3,7 @@
 //! | file | read | written |
 //! |---|---|---|
 //! | world, `NAME.world.json` | [`world::read`] | [`world::write`], [`world::schema`] |
+//! | floor plan, ROS `map_server` YAML, PNG, PGM | [`plan::Plan::trace`] | |
 //! | session, `session.json` | [`session::read`] | [`session::write`] |
 //! | CARMEN log | [`carmen::read`] | |
 //! | trajectory, `*.tum` | [`tum::read`] | [`tum::write`] |
@@ -18,6 +19,7 @@ mod digest;
 mod error;
 pub mod gzip;
 mod json;
+pub mod plan;
 pub mod relations;
 pub mod run;
 pub mod session;

@@ -40,11 +40,12 @@ mod tests {
     #[test]
     fn every_stretch_by_odometry_is_listed_with_its_length_and_its_end() {
         use Placement::{First, Odometry, Reference, WeakReference};
-        let reports: Vec<StepReport> = [First, Odometry, Odometry, WeakReference, Odometry, Reference, Odometry]
-            .into_iter()
-            .enumerate()
-            .map(|(step, by)| StepReport::new((step, 0.0), View::default(), by, Pose::IDENTITY))
-            .collect();
+        let reports: Vec<StepReport> =
+            [First, Odometry, Odometry, WeakReference, Odometry, Reference, Odometry]
+                .into_iter()
+                .enumerate()
+                .map(|(step, by)| StepReport::new((step, 0.0), View::default(), by, Pose::IDENTITY))
+                .collect();
         let run = |from, views, recovered| FallbackRun { from, views, recovered };
         assert_eq!(fallback_runs(&reports), [run(1, 2, Some(3)), run(4, 1, Some(5)), run(6, 1, None)]);
         assert_eq!(fallback_runs(&[]), []);

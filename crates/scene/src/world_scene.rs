@@ -162,7 +162,14 @@ mod tests {
 
     fn scan(ranges: Vec<f64>) -> Scan {
         let angle_increment = trig::PI / 180.0;
-        Scan { robot_from_laser: Pose::IDENTITY, angle_min: 0.0, angle_increment, range_max: 8.0, ranges, labels: Vec::new() }
+        Scan {
+            robot_from_laser: Pose::IDENTITY,
+            angle_min: 0.0,
+            angle_increment,
+            range_max: 8.0,
+            ranges,
+            labels: Vec::new(),
+        }
     }
 
     #[test]

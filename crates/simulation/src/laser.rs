@@ -54,7 +54,8 @@ impl Laser {
             }
         }
         if self.params.identity > 0.0 {
-            scan.labels = solids.iter().map(|solid| solid.filter(|&solid| self.knows_by_sight(solid))).collect();
+            scan.labels =
+                solids.iter().map(|solid| solid.filter(|&solid| self.knows_by_sight(solid))).collect();
         }
         (scan, solids)
     }

@@ -10,7 +10,10 @@ mod variation;
 use std::sync::Arc;
 
 use cogmap_geometry::Pose;
-use cogmap_mapping::{Event, Mapper, perception::{Moment, Scan}};
+use cogmap_mapping::{
+    Event, Mapper,
+    perception::{Moment, Scan},
+};
 
 use checkpoint::Checkpoints;
 pub use feed::Recording;

@@ -36,11 +36,10 @@ pub struct Look {
 pub fn drive(course: &Course, robot: &Robot, seed: u64) -> Result<Drive, String> {
     let mut driver = Driver::new(&course.world, robot, &course.route)?;
     let source = Source::world(course.world.as_ref().clone(), robot.clone());
-    let mut session =
-        Session::drive(SessionRecord::new(source, Vec::new(), seed)).map_err(|problems| {
-            let first = problems.first();
-            first.map_or_else(String::new, |problem| format!("{}: {}", problem.place, problem.message))
-        })?;
+    let mut session = Session::drive(SessionRecord::new(source, Vec::new(), seed)).map_err(|problems| {
+        let first = problems.first();
+        first.map_or_else(String::new, |problem| format!("{}: {}", problem.place, problem.message))
+    })?;
     let mut looks: Vec<Look> = look(&session).into_iter().collect();
     while let Some(command) = session.world_from_robot().and_then(|pose| driver.next_command(pose)) {
         session.command(command);
@@ -93,11 +92,8 @@ impl Drive {
         for k in 1..self.looks.len() {
             let truly = self.looks[k - 1].world_from_robot.from_here(self.looks[k].world_from_robot);
             let error = truly.from_here(was[k - 1].from_here(was[k]));
-            let larger = Pose::new(
-                factor * error.position.x,
-                factor * error.position.y,
-                factor * error.heading,
-            );
+            let larger =
+                Pose::new(factor * error.position.x, factor * error.position.y, factor * error.heading);
             let odom_from_last = self.looks[k - 1].reading.odom_from_robot;
             self.looks[k].reading.odom_from_robot = odom_from_last * truly * larger;
         }

@@ -44,10 +44,7 @@ impl Mapping {
     pub fn samples(&self, drive: &Drive) -> Vec<Sample> {
         let ends = drive.looks.iter().zip(&self.estimate);
         ends.filter(|(look, _)| look.reading.moment == Moment::StepEnd)
-            .map(|(look, &map_from_robot)| Sample {
-                world_from_robot: look.world_from_robot,
-                map_from_robot,
-            })
+            .map(|(look, &map_from_robot)| Sample { world_from_robot: look.world_from_robot, map_from_robot })
             .collect()
     }
 

@@ -48,12 +48,7 @@ const fn rate(name: &'static str, head: &'static str, meaning: &'static str) -> 
     Measure { name, head, unit: "", meaning, kind: Kind::Rate }
 }
 
-const fn part(
-    name: &'static str,
-    head: &'static str,
-    of: &'static str,
-    meaning: &'static str,
-) -> Measure {
+const fn part(name: &'static str, head: &'static str, of: &'static str, meaning: &'static str) -> Measure {
     Measure { name, head, unit: "", meaning, kind: Kind::Part(of) }
 }
 

@@ -39,9 +39,11 @@ pub struct Group<'a> {
 impl Outcome {
     /// The groups of runs, in order.
     pub fn groups(&self) -> impl Iterator<Item = Group<'_>> {
-        let mappers = self.conditions.iter().enumerate().flat_map(|(condition, of)| {
-            (0..of.mappers.len()).map(move |mapper| (condition, mapper))
-        });
+        let mappers = self
+            .conditions
+            .iter()
+            .enumerate()
+            .flat_map(|(condition, of)| (0..of.mappers.len()).map(move |mapper| (condition, mapper)));
         mappers.map(|(condition, mapper)| Group { outcome: self, condition, mapper })
     }
 
@@ -76,7 +78,11 @@ impl Outcome {
 }
 
 fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+    if text.contains([',', '"', '\n']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
 }
 
 impl<'a> Group<'a> {
@@ -100,7 +106,10 @@ impl<'a> Group<'a> {
 
     /// Its runs, by seed.
     pub fn rows(self) -> impl Iterator<Item = &'a Row> {
-        self.outcome.rows.iter().filter(move |row| row.condition == self.condition && row.mapper == self.mapper)
+        self.outcome
+            .rows
+            .iter()
+            .filter(move |row| row.condition == self.condition && row.mapper == self.mapper)
     }
 
     /// The values of a measure, by seed, where it applies.
@@ -113,9 +122,7 @@ impl<'a> Group<'a> {
     #[must_use]
     pub fn pairs(&self, other: &Group<'_>, measure: &str) -> Vec<(f64, f64)> {
         let pairs = self.rows().zip(other.rows()).filter(|(row, other)| row.seed == other.seed);
-        pairs
-            .filter_map(|(row, other)| row.values.get(measure).zip(other.values.get(measure)))
-            .collect()
+        pairs.filter_map(|(row, other)| row.values.get(measure).zip(other.values.get(measure))).collect()
     }
 
     /// How often something is true of a run.

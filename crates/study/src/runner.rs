@@ -4,7 +4,11 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::{Condition, Mapping, Row, drive::drive, score::{Truth, score}};
+use crate::{
+    Condition, Mapping, Row,
+    drive::drive,
+    score::{Truth, score},
+};
 
 /// Runs every condition with every seed on so many cores (0: all) and calls `progress` after each
 /// drive. The rows come in the same order and with the same values whatever the number of cores.
@@ -20,8 +24,10 @@ pub fn run(
     let sharing = sharing(conditions);
     let drives: Vec<(Range<usize>, u64)> =
         sharing.iter().flat_map(|group| seeds.clone().map(|seed| (group.clone(), seed))).collect();
-    let truths: Vec<Truth> = conditions.iter().map(|c| Truth::of(&c.course.world, c.robot.body.radius)).collect();
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build().map_err(|error| error.to_string())?;
+    let truths: Vec<Truth> =
+        conditions.iter().map(|c| Truth::of(&c.course.world, c.robot.body.radius)).collect();
+    let pool =
+        rayon::ThreadPoolBuilder::new().num_threads(jobs).build().map_err(|error| error.to_string())?;
     let rows: Result<Vec<Vec<Row>>, String> = pool.install(|| {
         let rows_of = |(group, seed): (Range<usize>, u64)| {
             let rows = perform(conditions, (group, seed), &truths);

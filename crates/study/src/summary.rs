@@ -66,7 +66,10 @@ impl<'a> Summary<'a> {
             checks,
             groups: outcome.groups().map(|group| GroupSummary::of(&group)).collect(),
             measures: &MEASURES,
-            robots: conditions.iter().map(|condition| (condition.robot.name.as_str(), &condition.robot)).collect(),
+            robots: conditions
+                .iter()
+                .map(|condition| (condition.robot.name.as_str(), &condition.robot))
+                .collect(),
             mappers: variants.map(|variant| (variant.label.as_str(), &variant.setup)).collect(),
         }
     }

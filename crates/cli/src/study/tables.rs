@@ -20,7 +20,8 @@ pub(crate) fn of(study: &Study, seeds: Seeds, outcome: &Outcome, checks: &[Check
 }
 
 fn groups(outcome: &Outcome, condition: usize, shown: &[&Measure]) -> String {
-    let heads: Vec<&str> = std::iter::once("mapper").chain(shown.iter().map(|measure| measure.head)).collect();
+    let heads: Vec<&str> =
+        std::iter::once("mapper").chain(shown.iter().map(|measure| measure.head)).collect();
     let mut table = Table::new(&heads);
     for group in outcome.groups().filter(|group| group.condition == condition) {
         let cells = shown.iter().map(|measure| cell(&group, measure));
@@ -72,7 +73,10 @@ fn legend(shown: &[&Measure]) -> String {
         let unit = if measure.unit.is_empty() { String::new() } else { format!(" ({})", measure.unit) };
         table.row(vec![measure.head.to_owned(), format!("{}{unit}", measure.meaning)]);
     }
-    format!("{}  Medians, rates and ratios over all runs, in brackets their 95 % intervals.\n", table.render())
+    format!(
+        "{}  Medians, rates and ratios over all runs, in brackets their 95 % intervals.\n",
+        table.render()
+    )
 }
 
 fn verdicts(checks: &[Check]) -> String {

@@ -30,9 +30,14 @@ const CASES: [(&str, &str, &str); 44] = [
     ("run no-routes.world.json", "no route", "--route random"),
     ("run nowhere.world.json", "nowhere.world.json", "no such file"),
     ("run in", "in: this is a directory", "name a file in it"),
-    ("run plan.png", "plan.png: this is a PNG picture", "cogmap-world/1"),
+    ("run plan.png", "plan.png: a picture does not say how large", "--resolution 0.05"),
+    ("run plan.png --resolution 0.05", "plan.png: broken PNG picture", "save it again"),
+    ("run plan.png --resolution 0", "--resolution", "metres of a pixel"),
+    ("run room.world.json --resolution 0.05", "room.world.json is no picture", "leave --resolution out"),
+    ("run lost.yaml", "lost.png: there is no such file", "`image`"),
+    ("run scaleless.yaml", "scaleless.yaml: no `resolution`", "resolution: 0.05"),
     ("run walk.log", "walk.log: this is a log", "cogmap replay walk.log"),
-    ("run empty.json", "empty.json: this is an empty file", "cogmap-world/1"),
+    ("run empty.json", "empty.json: this is an empty file", "world.json"),
     ("run typo.world.json", "unknown key `wals`", "did you mean `walls`?"),
     ("run cut.world.json", "cut.world.json, line 3", "too early"),
     ("run latin1.world.json", "latin1.world.json: byte 43", "UTF-8"),
@@ -50,7 +55,7 @@ const CASES: [(&str, &str, &str); 44] = [
     ("replay text.log", "text.log: no usable scan", "FLASER"),
     ("replay cut.log.gz", "cut.log.gz: the gzip data is broken", "fetch the file again"),
     ("replay room.world.json", "room.world.json: this is a world", "cogmap run room.world.json"),
-    ("replay plan.png", "plan.png: this is a PNG picture", "CARMEN"),
+    ("replay plan.png", "plan.png: this is a picture", "CARMEN"),
     ("check", "<FILE>", "Usage: cogmap check"),
 ];
 
@@ -61,6 +66,8 @@ fn bench() -> Workbench {
     }
     bench.put("taken/report.json", "{}");
     bench.put("plan.png", b"\x89PNG\r\n\x1a\n");
+    bench.put("lost.yaml", "image: lost.png\nresolution: 0.05\n");
+    bench.put("scaleless.yaml", "image: plan.png\n");
     bench.put("empty.json", "");
     bench.put("typo.world.json", ROOM.replace("\"walls\"", "\"wals\""));
     bench.put("cut.world.json", &ROOM[..60]);

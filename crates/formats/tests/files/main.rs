@@ -9,6 +9,8 @@
 
 // No bytes, however damaged, break a reader.
 mod hostile;
+// The floor plans of real buildings become worlds.
+mod plans;
 // The logs of two real robots are read whole.
 mod recorded;
 // The published schema is the one that the types have.

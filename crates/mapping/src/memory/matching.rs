@@ -104,7 +104,8 @@ pub fn match_views(
     params: &Matching,
 ) -> Vec<Match> {
     let current_from_previous = previous_from_current.inverse();
-    let projected: Vec<Tracked> = previous.iter().map(|known| known.seen_from(current_from_previous)).collect();
+    let projected: Vec<Tracked> =
+        previous.iter().map(|known| known.seen_from(current_from_previous)).collect();
     let mut pairs = Vec::new();
     for (seen, surface) in current.iter().enumerate() {
         for (previous, known) in projected.iter().enumerate() {
@@ -165,7 +166,16 @@ mod tests {
 
     fn wall(a: DVec2, b: DVec2, ends: [End; 2]) -> Surface {
         let segment = Segment::new(a, b);
-        Surface { segment, ends, beams: [0, 9], points: 10, residual: 0.0, range: 2.0, incidence: 0.3, label: None }
+        Surface {
+            segment,
+            ends,
+            beams: [0, 9],
+            points: 10,
+            residual: 0.0,
+            range: 2.0,
+            incidence: 0.3,
+            label: None,
+        }
     }
 
     fn true_wall(ax: f64, ay: f64, bx: f64, by: f64) -> Surface {

@@ -72,20 +72,24 @@ fn loop_of_90_metres(clockwise: bool) -> (World, Vec<DVec2>) {
     (serde_json::from_str(text).unwrap(), route)
 }
 
+fn loop_of_environment_b() -> (World, Vec<DVec2>) {
+    let text = include_str!("../../../../worlds/environment-b.world.json");
+    let world: World = serde_json::from_str(text).unwrap();
+    let route = world.routes["loop"].iter().map(|&point| point.into()).collect();
+    (world, route)
+}
+
 fn median(mut numbers: Vec<f64>) -> f64 {
     numbers.sort_by(f64::total_cmp);
     numbers[numbers.len() / 2]
 }
 
-/// Median heading error, degrees, and mean position error, metres, at the end of the loop.
-fn drift(name: &str, seeds: std::ops::Range<u64>) -> [f64; 2] {
+/// Median heading error, degrees, and mean position error, metres, at the end of loops that take turns.
+fn drift(name: &str, loops: &[(World, Vec<DVec2>)], seeds: std::ops::Range<u64>) -> [f64; 2] {
     let robot = Robot::named(name).unwrap();
-    let loops = [loop_of_90_metres(false), loop_of_90_metres(true)];
     let trip = |seed: u64| {
-        let (world, route) = &loops[(seed % 2) as usize];
-        let trip = drive(world, &robot, route, seed).unwrap();
-        assert_eq!(trip.steps, route.len());
-        trip
+        let (world, route) = &loops[seed as usize % loops.len()];
+        drive(world, &robot, route, seed).unwrap()
     };
     let trips: Vec<Trip> = seeds.map(trip).collect();
     let heading = median(trips.iter().map(|t| t.heading_error.abs().to_degrees()).collect());
@@ -93,22 +97,22 @@ fn drift(name: &str, seeds: std::ops::Range<u64>) -> [f64; 2] {
 }
 
 #[test]
-fn raw_odometry_of_the_good_robot_is_off_by_10_degrees_after_90_metres() {
-    let [heading, position] = drift("good", 1001..1201);
-    println!("good: median heading error {heading:.1}°, mean position error {position:.2} m");
-    assert!((8.0..12.0).contains(&heading), "{heading}");
-}
-
-#[test]
-fn raw_odometry_of_the_bad_robot_is_off_by_90_degrees_after_90_metres() {
-    let [heading, position] = drift("bad", 1001..1201);
-    println!("bad: median heading error {heading:.1}°, mean position error {position:.2} m");
-    assert!((72.0..108.0).contains(&heading), "{heading}");
+fn raw_odometry_is_off_by_10_and_90_degrees_after_90_metres() {
+    let free = vec![loop_of_90_metres(false), loop_of_90_metres(true)];
+    for (place, loops) in [("free", free), ("environment B", vec![loop_of_environment_b()])] {
+        for (name, wanted) in [("good", 10.0), ("bad", 90.0)] {
+            let [heading, position] = drift(name, &loops, 1001..1201);
+            println!(
+                "{place}, {name}: median heading error {heading:.1}°, mean position error {position:.2} m"
+            );
+            assert!((heading / wanted - 1.0).abs() < 0.2, "{place}, {name}: {heading}");
+        }
+    }
 }
 
 #[test]
 fn raw_odometry_of_the_perfect_robot_is_the_truth() {
-    let [heading, position] = drift("perfect", 0..2);
+    let [heading, position] = drift("perfect", &[loop_of_90_metres(false), loop_of_environment_b()], 0..2);
     assert!(heading < 1e-6 && position < 1e-6, "{heading} {position}");
 }
 

@@ -41,11 +41,8 @@ pub fn by_whole_way(samples: &[Sample]) -> Option<Pose> {
         cross += from.perp_dot(to);
     }
     // A robot that never moved says nothing about directions: its first heading does.
-    let turn = if dot == 0.0 && cross == 0.0 {
-        by_first_view(samples)?.heading
-    } else {
-        trig::atan2(cross, dot)
-    };
+    let turn =
+        if dot == 0.0 && cross == 0.0 { by_first_view(samples)?.heading } else { trig::atan2(cross, dot) };
     let shift = world_middle - Pose::new(0.0, 0.0, turn).rotate(map_middle);
     Some(Pose::new(shift.x, shift.y, turn))
 }

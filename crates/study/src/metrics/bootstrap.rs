@@ -44,7 +44,12 @@ pub fn median_estimate(values: &[f64]) -> Option<Estimate> {
             let mut left = rank;
             times.iter().zip(&sorted).find_map(|(&times, &value)| {
                 let times = times as usize;
-                if left < times { Some(value) } else { left -= times; None }
+                if left < times {
+                    Some(value)
+                } else {
+                    left -= times;
+                    None
+                }
             })
         };
         let half = drawn.len() / 2;

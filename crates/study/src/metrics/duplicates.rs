@@ -69,10 +69,8 @@ fn go_on(first: Segment, second: Segment) -> bool {
 /// Metres of a wall that lie under at least one of the surfaces.
 fn covered(wall: Segment, surfaces: impl Iterator<Item = Segment>) -> f64 {
     let along = |point| wall.share_of(point).clamp(0.0, 1.0) * wall.length();
-    let mut spans: Vec<(f64, f64)> = surfaces
-        .map(|s| (along(s.a), along(s.b)))
-        .map(|(a, b)| (a.min(b), a.max(b)))
-        .collect();
+    let mut spans: Vec<(f64, f64)> =
+        surfaces.map(|s| (along(s.a), along(s.b))).map(|(a, b)| (a.min(b), a.max(b))).collect();
     spans.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (mut sum, mut until) = (0.0, 0.0);
     for (from, to) in spans {

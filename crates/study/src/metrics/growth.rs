@@ -34,9 +34,8 @@ pub fn growth_exponent(curve: &[(f64, f64)]) -> Option<f64> {
     let logs: Vec<(f64, f64)> = usable.map(|(d, e)| (trig::ln(*d), trig::ln(*e))).collect();
     let count = logs.len() as f64;
     let (mx, my) = logs.iter().fold((0.0, 0.0), |(x, y), log| (x + log.0 / count, y + log.1 / count));
-    let (xy, xx) = logs.iter().fold((0.0, 0.0), |(xy, xx), (x, y)| {
-        (xy + (x - mx) * (y - my), xx + (x - mx) * (x - mx))
-    });
+    let (xy, xx) =
+        logs.iter().fold((0.0, 0.0), |(xy, xx), (x, y)| (xy + (x - mx) * (y - my), xx + (x - mx) * (x - mx)));
     (xx > 0.0).then(|| xy / xx)
 }
 

@@ -37,7 +37,8 @@ pub fn shape(samples: &[Sample]) -> Option<Shape> {
 /// Metres that the robot truly went.
 #[must_use]
 pub fn length(samples: &[Sample]) -> f64 {
-    let step = |pair: &[Sample]| pair[0].world_from_robot.position.distance(pair[1].world_from_robot.position);
+    let step =
+        |pair: &[Sample]| pair[0].world_from_robot.position.distance(pair[1].world_from_robot.position);
     samples.windows(2).map(step).sum()
 }
 
@@ -91,7 +92,8 @@ mod tests {
         let walls = [line(0.0, 0.0, 4.0, 0.0), line(4.0, 0.0, 4.0, 4.0), line(0.0, 0.0, 1.0, 0.0)];
         let turn = Pose::new(0.0, 0.0, 2.0_f64.to_radians());
         let mapped = |in_map, wall| Mapped { in_map, in_world: in_map, wall: Some(wall) };
-        let surfaces = [mapped(turn * walls[0].reversed(), 0), mapped(walls[1], 1), mapped(turn * walls[2], 2)];
+        let surfaces =
+            [mapped(turn * walls[0].reversed(), 0), mapped(walls[1], 1), mapped(turn * walls[2], 2)];
         let angle = side_angles(&surfaces, &walls, Pose::IDENTITY).unwrap().to_degrees();
         assert!((angle - 2.0_f64.sqrt()).abs() < 1e-9, "{angle}");
         assert_eq!(side_angles(&surfaces[2..], &walls, Pose::IDENTITY), None);

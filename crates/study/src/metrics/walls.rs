@@ -75,7 +75,8 @@ impl Walls {
 }
 
 fn goes_on(first: Segment, second: Segment) -> bool {
-    let touch = [first.a, first.b].iter().any(|p| [second.a, second.b].iter().any(|q| p.distance(*q) < TOUCHING));
+    let touch =
+        [first.a, first.b].iter().any(|p| [second.a, second.b].iter().any(|q| p.distance(*q) < TOUCHING));
     touch && first.length() > 0.0 && second.length() > 0.0 && first.angle_to(second) < STRAIGHT
 }
 

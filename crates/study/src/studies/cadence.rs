@@ -1,5 +1,6 @@
 use super::{
-    PERCEPTUAL, NO_RECOGNITION, courses, grid, levels, loop_b, no_recognition, consensus, odometry, perceptual, robots, transform,
+    NO_RECOGNITION, PERCEPTUAL, consensus, courses, grid, levels, loop_b, no_recognition, odometry,
+    perceptual, robots, transform,
 };
 use crate::{Check, Outcome, Study, condition::Treatment};
 
@@ -16,7 +17,17 @@ pub(crate) const STUDY: Study = Study {
             the traditional one has the better shape depends on that length: a curve, not a verdict.",
     seeds: 100,
     level: Some("metres or radians from view to view"),
-    shown: &["views", "shape", "side_angle", "gap", "heading_gap", "pieces", "displaced", "fallbacks", "partly"],
+    shown: &[
+        "views",
+        "shape",
+        "side_angle",
+        "gap",
+        "heading_gap",
+        "pieces",
+        "displaced",
+        "fallbacks",
+        "partly",
+    ],
     plan: |request| {
         let courses = courses(request, "environment-b", "loop")?;
         let mappers = [odometry(), transform(), perceptual(), no_recognition(), consensus()];

@@ -17,8 +17,17 @@ pub(crate) const STUDY: Study = Study {
     seeds: 200,
     level: None,
     shown: &[
-        "shape", "shape_share", "side_angle", "gap", "heading_gap", "pieces", "length_mapped", "displaced",
-        "blocked", "fallbacks", "partly",
+        "shape",
+        "shape_share",
+        "side_angle",
+        "gap",
+        "heading_gap",
+        "pieces",
+        "length_mapped",
+        "displaced",
+        "blocked",
+        "fallbacks",
+        "partly",
     ],
     plan: |request| {
         let courses = courses(request, "environment-b", "loop")?;
@@ -34,8 +43,9 @@ fn judge(outcome: &Outcome) -> Vec<Check> {
         for group in outcome.groups_of(robot, ODOMETRY) {
             let figure = Measure::named("heading_gap").and_then(|measure| group.figure(measure));
             for bound in [Bound::AtLeast(degrees * 0.8), Bound::AtMost(degrees * 1.2)] {
-                let criterion =
-                    format!("{robot} robot: raw odometry ends turned by about {degrees}° (±20 %) in the median");
+                let criterion = format!(
+                    "{robot} robot: raw odometry ends turned by about {degrees}° (±20 %) in the median"
+                );
                 checks.push(Check::figure(criterion, figure, bound));
             }
         }
@@ -45,7 +55,8 @@ fn judge(outcome: &Outcome) -> Vec<Check> {
         checks.extend(of_map(outcome, robot, NO_RECOGNITION));
         for group in outcome.groups_of(robot, CONSENSUS) {
             let closed = group.rate(|values| values.get("loop_closed").map(|closed| closed > 0.0));
-            let criterion = format!("{robot} robot, {CONSENSUS}: the network closes the loop in at least 98 % of runs");
+            let criterion =
+                format!("{robot} robot, {CONSENSUS}: the network closes the loop in at least 98 % of runs");
             checks.push(Check::rate(criterion, closed, Bound::AtLeast(0.98)));
         }
     }

@@ -14,8 +14,16 @@ pub(crate) const STUDY: Study = Study {
     seeds: 200,
     level: None,
     shown: &[
-        "shape", "side_angle", "rectangle", "pieces", "length_mapped", "displacement", "displaced_first",
-        "displaced_any_first", "weak", "fallbacks",
+        "shape",
+        "side_angle",
+        "rectangle",
+        "pieces",
+        "length_mapped",
+        "displacement",
+        "displaced_first",
+        "displaced_any_first",
+        "weak",
+        "fallbacks",
     ],
     plan: |request| {
         let courses = courses(request, "long-office", "tour")?;

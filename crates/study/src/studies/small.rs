@@ -1,4 +1,7 @@
-use super::{CONSENSUS, ODOMETRY, PERCEPTUAL, TRANSFORM, consensus, courses, grid, odometry, perceptual, robots, transform};
+use super::{
+    CONSENSUS, ODOMETRY, PERCEPTUAL, TRANSFORM, consensus, courses, grid, odometry, perceptual, robots,
+    transform,
+};
 use crate::{Bound, Check, Outcome, Study, measure::Measure, metrics::Rate};
 
 /// E1: the small office (§3.1.4, Fig. 3.5 and 3.6).
@@ -12,7 +15,17 @@ pub(crate) const STUDY: Study = Study {
             nearer to the truth than raw odometry does.",
     seeds: 200,
     level: None,
-    shown: &["way", "steps", "shape", "displacement", "pieces", "length_mapped", "displaced", "gap", "heading_gap"],
+    shown: &[
+        "way",
+        "steps",
+        "shape",
+        "displacement",
+        "pieces",
+        "length_mapped",
+        "displaced",
+        "gap",
+        "heading_gap",
+    ],
     plan: |request| {
         let courses = courses(request, "small-office", "tour")?;
         let mappers = [odometry(), transform(), perceptual(), consensus()];
@@ -33,7 +46,9 @@ fn judge(outcome: &Outcome) -> Vec<Check> {
                     Bound::AtMost(most_pieces),
                 ));
                 checks.push(Check::figure(
-                    format!("{robot} robot, {mapper}: median displacement of long surfaces at most {farthest} m"),
+                    format!(
+                        "{robot} robot, {mapper}: median displacement of long surfaces at most {farthest} m"
+                    ),
                     figure("displacement"),
                     Bound::AtMost(farthest),
                 ));
@@ -42,7 +57,10 @@ fn judge(outcome: &Outcome) -> Vec<Check> {
         let corrected = outcome.groups_of(robot, TRANSFORM).zip(outcome.groups_of(robot, ODOMETRY));
         for (transform, odometry) in corrected {
             let mut better = Rate::default();
-            transform.pairs(&odometry, "heading_gap").iter().for_each(|(with, without)| better.count(with < without));
+            transform
+                .pairs(&odometry, "heading_gap")
+                .iter()
+                .for_each(|(with, without)| better.count(with < without));
             checks.push(Check::rate(
                 format!("{robot} robot: the corrected heading is nearer to the truth than raw odometry's in at least 90 % of runs"),
                 better,

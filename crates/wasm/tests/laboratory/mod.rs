@@ -1,5 +1,8 @@
 //! The laboratory as the page uses it.
 
+#[path = "../../../../tests/tests/same_bytes/first_steps.rs"]
+mod first_steps;
+
 use cogmap_wasm::Laboratory;
 use js_sys::{Error, JSON, Reflect};
 use sha2::{Digest, Sha256};
@@ -17,6 +20,7 @@ const CELL: &str = r#"{
 
 const SAME_SESSION: &str = include_str!("../../../../tests/goldens/same-bytes.session.json");
 const SAME_BYTES: &str = include_str!("../../../../tests/goldens/same-bytes.txt");
+const SAME_WORLDS: &str = include_str!("../../../../tests/goldens/same-bytes-worlds.txt");
 
 fn ts<T: Tsify>(json: &str) -> Ts<T> {
     Ts::new_unchecked(JSON::parse(json).unwrap())
@@ -171,4 +175,15 @@ fn one_session_gives_the_same_bytes_everywhere() {
         let digest: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
         assert_eq!(digest, known, "mapper {mapper}");
     }
+}
+
+#[wasm_bindgen_test]
+fn every_mapper_gives_the_same_bytes_everywhere_in_every_designed_world() {
+    let mut known = SAME_WORLDS.lines();
+    for (name, file) in first_steps::WORLDS {
+        for line in first_steps::digests(name, file).lines() {
+            assert_eq!(Some(line), known.next());
+        }
+    }
+    assert_eq!(known.next(), None);
 }

@@ -20,7 +20,14 @@ fn scan_of(walls: &[Segment], laser: Pose, range_max: f64) -> Scan {
                 .fold(f64::INFINITY, f64::min)
         })
         .collect();
-    Scan { robot_from_laser: Pose::IDENTITY, angle_min, angle_increment: increment, range_max, ranges, labels: Vec::new() }
+    Scan {
+        robot_from_laser: Pose::IDENTITY,
+        angle_min,
+        angle_increment: increment,
+        range_max,
+        ranges,
+        labels: Vec::new(),
+    }
 }
 
 fn room(width: f64, depth: f64) -> Vec<Segment> {
