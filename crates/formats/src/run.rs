@@ -3,6 +3,7 @@
 
 mod events;
 mod map;
+mod network;
 mod report;
 mod trajectory;
 
@@ -12,6 +13,7 @@ use crate::{carmen::Counts, session, tum};
 
 pub use events::events;
 pub use map::map;
+pub use network::network;
 pub use report::report;
 
 /// What the session does not hold but its files can tell.
@@ -46,6 +48,7 @@ pub fn files(session: &Session, extras: Extras<'_>) -> Vec<RunFile> {
         let named = |stem, extension, text| RunFile { name: file_name(stem, label, extension), text };
         files.push(named("estimate", "tum", tum::write(&estimate)));
         files.push(named("map", "json", map(session, index)));
+        files.push(named("network", "g2o", network(session, index)));
         files.push(named("events", "jsonl", events(session, index)));
     }
     files.push(RunFile { name: "report.json".to_owned(), text: report(session, extras) });

@@ -74,6 +74,7 @@ impl<'a> Brush<'a> {
             Sign::Dot(radius) => self.circle(at, radius, style),
             Sign::Diamond(size) => self.path(&corners(&DIAMOND, size), style, true),
             Sign::Triangle(size) => self.path(&corners(&TRIANGLE, size), style, true),
+            Sign::Square(size) => self.path(&corners(&SQUARE, size), style, true),
         }
     }
 
@@ -118,7 +119,7 @@ impl<'a> Brush<'a> {
 
     /// Signs that would lie on the one before are left out.
     fn signs(&mut self, places: &[DVec2], style: Style) {
-        let (Sign::Dot(size) | Sign::Diamond(size) | Sign::Triangle(size)) = style.sign;
+        let (Sign::Dot(size) | Sign::Diamond(size) | Sign::Triangle(size) | Sign::Square(size)) = style.sign;
         let mut last: Option<DVec2> = None;
         for place in self.project(places) {
             let free = last.is_none_or(|last| last.distance(place) >= 2.0 * size);
@@ -178,6 +179,7 @@ const SMALLEST_ROBOT: f64 = 7.0;
 const LABEL_SIZE: f64 = 12.0;
 /// Corners as shares of the size, y down.
 const DIAMOND: [[f64; 2]; 4] = [[0.0, -1.2], [1.2, 0.0], [0.0, 1.2], [-1.2, 0.0]];
+const SQUARE: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 const TRIANGLE: [[f64; 2]; 3] = [[0.0, -1.2], [1.1, 0.8], [-1.1, 0.8]];
 /// Corners as shares of the radius, ahead and across.
 const ARROW: [[f64; 2]; 4] = [[0.66, 0.0], [-0.4, 0.46], [-0.18, 0.0], [-0.4, -0.46]];

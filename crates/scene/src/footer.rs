@@ -1,7 +1,7 @@
 use cogmap_geometry::DVec2;
 
 use crate::{
-    LegendEntry, Role, Sample, Scene, Sheet,
+    Colour, LegendEntry, PlaceMark, Role, Sample, Scene, Sheet,
     brush::Brush,
     font::{CAP_HEIGHT, text_width},
     picture::MARGIN,
@@ -24,6 +24,7 @@ const PADDING: f64 = 10.0;
 const SIZE: f64 = 12.0;
 const SWATCH: f64 = 24.0;
 const RUN_SWATCH: f64 = 68.0;
+const ASRS_SWATCH: f64 = 40.0;
 const SPACE: f64 = 8.0;
 const GAP: f64 = 22.0;
 
@@ -64,8 +65,9 @@ impl Footer {
 
 fn swatch(sample: Sample) -> f64 {
     match sample {
-        Sample::Run => RUN_SWATCH,
-        Sample::Line(_) | Sample::Area(_) => SWATCH,
+        Sample::Run | Sample::Age => RUN_SWATCH,
+        Sample::Line(_) | Sample::Area(_) | Sample::Exit | Sample::ClosedLoop => SWATCH,
+        Sample::Asrs => ASRS_SWATCH,
         Sample::Sign(_) => 8.0,
         Sample::Robot(_) => 14.0,
     }
@@ -77,7 +79,7 @@ fn ground(brush: &mut Brush, top: f64) {
     let corners = [(0.0, top), (width, top), (width, height), (0.0, height)].map(DVec2::from);
     let paper = Style { fill: Some(brush.theme().paper()), stroke: None, ..brush.style(Role::Room) };
     brush.path(&corners, paper, true);
-    let colour = crate::Colour::solid(palette.hairline);
+    let colour = Colour::solid(palette.hairline);
     let edge = [DVec2::new(0.0, top + 0.5), DVec2::new(width, top + 0.5)];
     brush.line(edge, Stroke { colour, width: 1.0 });
 }
@@ -87,12 +89,7 @@ fn draw_sample(brush: &mut Brush, sample: Sample, at: DVec2) {
     let width = swatch(sample);
     let center = at + DVec2::new(width * 0.5, 0.0);
     match sample {
-        Sample::Line(role) => {
-            if let Some(stroke) = brush.style(role).stroke {
-                let cap = DVec2::new(stroke.width * 0.5, 0.0);
-                brush.line([at + cap, at + DVec2::new(width, 0.0) - cap], stroke);
-            }
-        }
+        Sample::Line(role) => draw_line(brush, at, role),
         Sample::Area(role) => {
             let half = DVec2::new(width * 0.5, 6.0);
             let corners = [-half, half * DVec2::new(1.0, -1.0), half, half * DVec2::new(-1.0, 1.0)];
@@ -100,17 +97,45 @@ fn draw_sample(brush: &mut Brush, sample: Sample, at: DVec2) {
         }
         Sample::Sign(role) => brush.sign(center, brush.style(role)),
         Sample::Robot(role) => brush.robot(center, DVec2::X, 7.0, brush.style(role)),
-        Sample::Run => draw_run(brush, at),
+        Sample::Run => draw_pieces(brush, at, &|brush, share| brush.theme().of_run(share)),
+        Sample::Age => draw_pieces(brush, at, &|brush, share| brush.theme().of_age(share)),
+        Sample::Asrs => draw_asrs(brush, at),
+        Sample::Exit => {
+            let style = brush.style(Role::Place(PlaceMark::Exit));
+            draw_line(brush, at, Role::Place(PlaceMark::Exit));
+            for end in [4.0, width - 4.0] {
+                brush.sign(at + DVec2::new(end, 0.0), style);
+            }
+        }
+        Sample::ClosedLoop => {
+            draw_line(brush, at, Role::Place(PlaceMark::ClosedLoop));
+            draw_line(brush, at, Role::Place(PlaceMark::ClosedLoopGap));
+        }
     }
 }
 
-fn draw_run(brush: &mut Brush, at: DVec2) {
-    const PIECES: usize = 17;
+fn draw_line(brush: &mut Brush, at: DVec2, role: Role) {
+    if let Some(stroke) = brush.style(role).stroke {
+        let cap = DVec2::new(stroke.width * 0.5, 0.0);
+        brush.line([at + cap, at + DVec2::new(SWATCH, 0.0) - cap], stroke);
+    }
+}
+
+fn draw_asrs(brush: &mut Brush, at: DVec2) {
+    for number in 0..4 {
+        let left = at + DVec2::new(2.0 + 10.0 * f64::from(number), 0.0);
+        let colour = brush.theme().of_asr(number);
+        brush.line([left, left + DVec2::new(6.0, 0.0)], Stroke { colour, width: 3.0 });
+    }
+}
+
+fn draw_pieces(brush: &mut Brush, at: DVec2, colour: &dyn Fn(&Brush, f64) -> Colour) {
+    const PIECES: u32 = 17;
     const WIDTH: f64 = 8.0;
     for piece in 0..PIECES {
-        let length = (RUN_SWATCH - WIDTH) / PIECES as f64;
-        let end = |piece: usize| at + DVec2::new(0.5 * WIDTH + length * piece as f64, 0.0);
-        let colour = brush.theme().of_run(piece as f64 / (PIECES - 1) as f64);
+        let length = (RUN_SWATCH - WIDTH) / f64::from(PIECES);
+        let end = |piece: u32| at + DVec2::new(0.5 * WIDTH + length * f64::from(piece), 0.0);
+        let colour = colour(brush, f64::from(piece) / f64::from(PIECES - 1));
         brush.line([end(piece), end(piece + 1)], Stroke { colour, width: WIDTH });
     }
 }

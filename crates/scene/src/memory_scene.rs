@@ -1,14 +1,13 @@
 use cogmap_geometry::{DVec2, Pose, Segment};
-use cogmap_mapping::{
-    Mapper, MapperSetup, Placement, StepReport,
-    memory::{Mfis, StoredSurface},
-};
+use cogmap_mapping::{Mapper, MapperSetup, Placement, StepReport};
 use cogmap_simulation::{BoxObstacle, Door, MapperJournal, Session, Source};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Item, Role, Sample, Scene, Shape,
+    Colouring, Item, Role, Sample, Scene, Shape,
     label::plural,
+    network_scene,
+    surfaces::surfaces,
     world_scene::{robot_radius, walls},
 };
 
@@ -22,16 +21,30 @@ pub struct MemoryOptions {
     pub path: bool,
     /// The latest view, and the reference that it was placed by.
     pub view: bool,
+    /// The exits, from jamb to jamb.
+    pub exits: bool,
+    /// The network: its local spaces by number, and the exits that join them.
+    pub network: bool,
+    /// The local frames and how they lie to each other.
+    pub frames: bool,
+    /// What the colours of the surfaces say.
+    pub colouring: Colouring,
 }
 
 impl Default for MemoryOptions {
     fn default() -> Self {
-        Self { truth: false, path: true, view: true }
+        Self {
+            truth: false,
+            path: true,
+            view: true,
+            exits: true,
+            network: false,
+            frames: false,
+            colouring: Colouring::View,
+        }
     }
 }
 
-/// Surfaces below this are thin, metres.
-const DEBRIS: f64 = 0.4;
 /// The colours of a short run are spread over this many views at least.
 const FEW_VIEWS: usize = 8;
 
@@ -47,16 +60,20 @@ pub fn memory_scene(session: &Session, mapper: usize, options: MemoryOptions) ->
     let views = journal.reports.len();
     let mut scene = Scene { views: views.max(FEW_VIEWS), ..Scene::default() };
     (scene.title, scene.note) = words(session, name, mind, views);
-    scene.explain(Sample::Run, &format!("first seen in view 1–{}", scene.views));
+    explain_colours(&mut scene, mind, options.colouring);
     scene.explain(Sample::Robot(Role::BelievedRobot), "robot, where it believes it is");
+    if options.colouring == Colouring::Asr {
+        network_scene::draw_floors(&mut scene, mind);
+    }
     if options.truth {
         draw_truth(&mut scene, session, journal);
     }
-    scene.still.extend(surfaces(mind.mfis()));
+    scene.still.extend(surfaces(mind, options.colouring));
     let robot = mind.map_from_robot(session.odom_from_robot());
     if options.path {
         draw_path(&mut scene, mind, journal, robot);
     }
+    network_scene::draw(&mut scene, mind, journal, options);
     if let (true, Some(report)) = (options.view, journal.reports.last()) {
         draw_view(&mut scene, mind, report);
     }
@@ -67,8 +84,18 @@ pub fn memory_scene(session: &Session, mapper: usize, options: MemoryOptions) ->
     scene
 }
 
+fn explain_colours(scene: &mut Scene, mind: &Mapper, colouring: Colouring) {
+    match colouring {
+        Colouring::Age => scene.explain(Sample::Age, "first seen just now … long ago"),
+        Colouring::Asr if mind.network().is_some() => {
+            scene.explain(Sample::Asrs, "a colour for each local space");
+        }
+        _ => scene.explain(Sample::Run, &format!("first seen in view 1–{}", scene.views)),
+    }
+}
+
 fn words(session: &Session, name: &str, mind: &Mapper, views: usize) -> (String, String) {
-    let surfaces = plural(mind.mfis().surfaces().len(), "surface");
+    let surfaces = plural(mind.mfis().remembered().count(), "surface");
     let counts = format!("{surfaces} from {}", plural(views, "view"));
     let note = match &session.record().source {
         Source::World { world, robot, .. } => format!("{} · {} robot · {counts}", world.name, robot.name),
@@ -77,23 +104,6 @@ fn words(session: &Session, name: &str, mind: &Mapper, views: usize) -> (String,
         }
     };
     (format!("The robot’s memory: {name}"), note)
-}
-
-/// Debris first, so that walls lie above it; oldest first.
-fn surfaces(mfis: &Mfis) -> Vec<Item> {
-    let (debris, long): (Vec<_>, Vec<_>) =
-        mfis.surfaces().iter().partition(|surface| surface.segment.length() < DEBRIS);
-    let of_views = |surfaces: &[&StoredSurface], role: fn(usize) -> Role| -> Vec<Item> {
-        let runs = surfaces.chunk_by(|a, b| a.step == b.step);
-        let item = |run: &[&StoredSurface]| {
-            let segments = run.iter().map(|surface| mfis.in_map(surface)).collect();
-            Some(Item::new(role(run.first()?.step), Shape::Segments(segments)))
-        };
-        runs.filter_map(item).collect()
-    };
-    let mut items = of_views(&debris, Role::DebrisOfView);
-    items.extend(of_views(&long, Role::SurfaceOfView));
-    items
 }
 
 fn draw_path(scene: &mut Scene, mind: &Mapper, journal: &MapperJournal, robot: Option<Pose>) {
@@ -211,7 +221,7 @@ mod tests {
             Role::Truth,
         );
         let first = session.mappers()[0].mfis().surfaces().iter().filter(|surface| surface.step == 0);
-        for surface in first.filter(|surface| surface.segment.length() > DEBRIS) {
+        for surface in first.filter(|surface| surface.segment.length() > 0.4) {
             let middle = surface.segment.midpoint();
             let nearest = truth.iter().map(|wall| wall.distance_to(middle)).fold(f64::INFINITY, f64::min);
             assert!(nearest < 0.02, "{surface:?} lies {nearest} m from every wall");

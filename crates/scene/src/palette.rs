@@ -28,6 +28,8 @@ pub(crate) struct Palette {
     pub(crate) warning: u32,
     /// The world laid over a memory.
     pub(crate) truth: u32,
+    /// Local spaces: far apart to every eye, also to those that do not tell red from green.
+    pub(crate) asrs: [u32; 8],
     /// The run, first view to last.
     pub(crate) ramp: Ramp,
 }
@@ -46,6 +48,7 @@ pub(crate) const LIGHT: Palette = Palette {
     reference: 0xd0146c,
     warning: 0xc2410c,
     truth: 0xb9b5aa,
+    asrs: [0x005cd2, 0xf6570f, 0x049e7a, 0xa03488, 0x884d00, 0x121479, 0x780a37, 0x4493d9],
     ramp: ON_LIGHT,
 };
 
@@ -63,5 +66,6 @@ pub(crate) const DARK: Palette = Palette {
     reference: 0xff62aa,
     warning: 0xff8f5a,
     truth: 0x4c5462,
+    asrs: [0x2faaff, 0xff8e1d, 0x05c881, 0xd370bb, 0xe4dc3c, 0x7e68fe, 0xc6584e, 0x67d2e1],
     ramp: ON_DARK,
 };

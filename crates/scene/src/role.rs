@@ -1,3 +1,5 @@
+use crate::PlaceMark;
+
 /// What a thing in the picture is; the theme decides what it looks like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
@@ -27,6 +29,12 @@ pub enum Role {
     SurfaceOfView(usize),
     /// The same for surfaces too short to say much.
     DebrisOfView(usize),
+    /// The same two by how long ago that was: so many doublings of the number of views since.
+    SurfaceOfAge(u32),
+    /// See there.
+    DebrisOfAge(u32),
+    /// A mark of the network of local spaces.
+    Place(PlaceMark),
     /// A surface of the latest view, where it lies in the map.
     SeenNow,
     /// The surface of the map that the latest view was placed by.

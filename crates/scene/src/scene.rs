@@ -58,6 +58,14 @@ pub enum Sample {
     Robot(Role),
     /// All colours from the first view to the last.
     Run,
+    /// All colours from now to long ago.
+    Age,
+    /// Some of the colours of local spaces.
+    Asrs,
+    /// An exit between its jambs.
+    Exit,
+    /// An edge of the network that closed a loop.
+    ClosedLoop,
 }
 
 /// A line of the legend.

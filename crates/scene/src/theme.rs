@@ -34,6 +34,8 @@ pub enum Sign {
     Diamond(f64),
     /// A triangle on its base.
     Triangle(f64),
+    /// A square on its side.
+    Square(f64),
 }
 
 /// How a thing is drawn.
@@ -67,11 +69,26 @@ impl Theme {
         self.palette().ramp.at(share)
     }
 
+    /// The colour of a local space, by its number; after a while the colours come again.
+    #[must_use]
+    pub fn of_asr(self, number: u32) -> Colour {
+        let colours = self.palette().asrs;
+        Colour::solid(colours[number as usize % colours.len()])
+    }
+
+    /// The colour of what was first seen a share of the run ago; 0 is now.
+    #[must_use]
+    pub fn of_age(self, share: f64) -> Colour {
+        let palette = self.palette();
+        Colour::solid(palette.ink).towards(Colour::solid(palette.truth), share)
+    }
+
     /// What a thing looks like in a run of `views` views, at so many pixels a metre.
     #[must_use]
     pub fn style(self, role: Role, views: usize, pixels_per_metre: f64) -> Style {
         let palette = self.palette();
         let share = |view: usize| view as f64 / (views.max(2) - 1) as f64;
+        let share_of_age = |age: u32| f64::from(age) / f64::from(views.max(2).ilog2());
         let solid = Colour::solid;
         match role {
             Role::Room => Style::area(solid(palette.room), None),
@@ -87,10 +104,11 @@ impl Theme {
             Role::LaserFan => Style::area(solid(palette.laser).with_alpha(28), None),
             Role::LaserHit => Style::points(solid(palette.laser), Sign::Dot(1.25)),
             Role::Truth => Style::line(solid(palette.truth), 1.0),
-            Role::SurfaceOfView(view) => {
-                Style::line(self.of_run(share(view)), (pixels_per_metre * 0.04).clamp(1.0, 2.5))
-            }
-            Role::DebrisOfView(view) => Style::line(self.of_run(share(view)), 0.75),
+            Role::SurfaceOfView(view) => Style::surface(self.of_run(share(view)), pixels_per_metre),
+            Role::DebrisOfView(view) => Style::debris(self.of_run(share(view))),
+            Role::SurfaceOfAge(age) => Style::surface(self.of_age(share_of_age(age)), pixels_per_metre),
+            Role::DebrisOfAge(age) => Style::debris(self.of_age(share_of_age(age))),
+            Role::Place(mark) => mark.style(self, pixels_per_metre),
             Role::SeenNow => Style::line(solid(palette.robot).with_alpha(90), 6.0),
             Role::ReferenceKnown => Style::line(solid(palette.reference).with_alpha(90), 9.0),
             Role::ReferenceSeen => Style::line(solid(palette.reference), 2.0),
@@ -108,17 +126,27 @@ impl Theme {
 }
 
 impl Style {
-    fn line(colour: Colour, width: f64) -> Self {
+    pub(crate) fn line(colour: Colour, width: f64) -> Self {
         Self { fill: None, stroke: Some(Stroke { colour, width }), sign: Sign::Dot(width) }
     }
 
-    fn area(fill: Colour, edge: Option<(Colour, f64)>) -> Self {
+    pub(crate) fn area(fill: Colour, edge: Option<(Colour, f64)>) -> Self {
         let stroke = edge.map(|(colour, width)| Stroke { colour, width });
         Self { fill: Some(fill), stroke, sign: Sign::Dot(1.0) }
     }
 
-    fn points(fill: Colour, sign: Sign) -> Self {
+    pub(crate) fn points(fill: Colour, sign: Sign) -> Self {
         Self { fill: Some(fill), stroke: None, sign }
+    }
+
+    /// A wall as a memory holds it.
+    pub(crate) fn surface(colour: Colour, pixels_per_metre: f64) -> Self {
+        Self::line(colour, (pixels_per_metre * 0.04).clamp(1.0, 2.5))
+    }
+
+    /// A surface too short to say much.
+    pub(crate) fn debris(colour: Colour) -> Self {
+        Self::line(colour, 0.75)
     }
 
     fn hollow(self, palette: &Palette) -> Self {
@@ -151,7 +179,10 @@ mod tests {
 
     /// OKLab (Ottosson 2020): distances are about as large as they look.
     fn oklab(colour: Colour) -> [f64; 3] {
-        let [r, g, b] = linear(colour);
+        oklab_of(linear(colour))
+    }
+
+    fn oklab_of([r, g, b]: [f64; 3]) -> [f64; 3] {
         let root = |value: f64| trig::pow(value, 1.0 / 3.0);
         let l = root(0.412_221_470_8 * r + 0.536_332_536_3 * g + 0.051_445_992_9 * b);
         let m = root(0.211_903_498_2 * r + 0.680_699_545_1 * g + 0.107_396_956_6 * b);
@@ -162,6 +193,21 @@ mod tests {
             0.025_904_037_1 * l + 0.782_771_766_2 * m - 0.808_675_766_0 * s,
         ]
     }
+
+    /// What those see who lack the cones for red or for green (Machado, Oliveira and Fernandes 2009).
+    const EYES: [[[f64; 3]; 3]; 3] = [
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        [
+            [0.152_286, 1.052_583, -0.204_868],
+            [0.114_503, 0.786_281, 0.099_216],
+            [-0.003_882, -0.048_116, 1.051_998],
+        ],
+        [
+            [0.367_322, 0.860_646, -0.227_968],
+            [0.280_085, 0.672_501, 0.047_413],
+            [-0.011_820, 0.042_940, 0.968_881],
+        ],
+    ];
 
     fn run(theme: Theme) -> Vec<Colour> {
         (0..=16).map(|i| theme.of_run(f64::from(i) / 16.0)).collect()
@@ -177,6 +223,26 @@ mod tests {
                 assert!(contrast(colour, theme.paper()) >= 3.0, "{theme:?} {i}: {}", colour.css());
             }
         }
+    }
+
+    #[test]
+    fn every_eye_tells_local_spaces_apart() {
+        for theme in THEMES {
+            let colours: Vec<_> = (0..8).map(|number| theme.of_asr(number)).collect();
+            for (index, one) in colours.iter().enumerate() {
+                assert!(contrast(*one, theme.paper()) >= 3.0, "{theme:?} {}", one.css());
+                for (other, eye) in colours[..index].iter().flat_map(|other| EYES.map(|eye| (other, eye))) {
+                    let [one, other] = [*one, *other].map(|colour| oklab_of(seen_by(eye, linear(colour))));
+                    let squares = one.iter().zip(other).map(|(a, b)| (a - b) * (a - b));
+                    let apart = squares.sum::<f64>().sqrt();
+                    assert!(apart >= 0.1, "{theme:?}: {index} is {apart} from another");
+                }
+            }
+        }
+    }
+
+    fn seen_by(eye: [[f64; 3]; 3], colour: [f64; 3]) -> [f64; 3] {
+        eye.map(|row| row.iter().zip(colour).map(|(a, b)| a * b).sum::<f64>().clamp(0.0, 1.0))
     }
 
     #[test]

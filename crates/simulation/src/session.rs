@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use cogmap_geometry::Pose;
 use cogmap_mapping::{
-    Event, Mapper,
+    Event, Mapper, MapperSetup,
     perception::{Moment, Scan},
 };
 
@@ -67,6 +67,19 @@ impl Session {
             let observation = drive.look();
             self.take_in(&observation);
         }
+    }
+
+    /// The same run, at the same moment, as other mappers take it in: each is fed the very readings
+    /// that this session's were.
+    ///
+    /// # Errors
+    /// None for a session that runs: its world has been judged already.
+    pub fn remapped(&self, mappers: Vec<MapperSetup>) -> Result<Self, Vec<Problem>> {
+        let record = SessionRecord { mappers, ..self.record.clone() };
+        let feed = self.feed.from_the_beginning(&record)?;
+        let mut session = Self::begin(record, feed);
+        session.jump(self.position());
+        Ok(session)
     }
 
     /// One turn of the world: a tick of a drive, a reading of a log. `false` where a log is at its end.

@@ -1,3 +1,5 @@
+use std::collections::BTreeMap;
+
 use cogmap_formats::{run::map, session};
 use cogmap_geometry::DVec2;
 use cogmap_scene::{MemoryOptions, Sheet};
@@ -8,6 +10,7 @@ use web_sys::OffscreenCanvasRenderingContext2d;
 use crate::{
     canvas::{Canvas, Place},
     failure::Failure,
+    layers::Layers,
     look::Look,
     opening,
     order::Order,
@@ -18,14 +21,13 @@ use crate::{
     views::{View, Views},
 };
 
-/// The laboratory as the page knows it: a run, and two views of it.
+/// The laboratory as the page knows it: a run, and views of it.
 #[wasm_bindgen]
 pub struct Laboratory {
     run: Run,
     views: Views,
     shown: MemoryOptions,
-    left: Canvas,
-    right: Canvas,
+    canvases: BTreeMap<View, Canvas>,
 }
 
 #[wasm_bindgen]
@@ -108,9 +110,9 @@ impl Laboratory {
         self.run.take_over();
     }
 
-    /// Sends the robot straight to what the left view shows at a pixel; `false` if it cannot be sent there.
+    /// Sends the robot straight to what the view of the world shows at a pixel; `false` if it cannot be sent there.
     pub fn reach(&mut self, x: f64, y: f64) -> bool {
-        self.run.reach(self.views.to_metres(View::Left, DVec2::new(x, y)))
+        self.run.reach(self.views.to_metres(View::World, DVec2::new(x, y)))
     }
 
     /// Tells how large a view is, in pixels of the page.
@@ -122,12 +124,32 @@ impl Laboratory {
         Ok(())
     }
 
-    /// Moves what both views show by so many pixels.
+    /// Tells that a view has left the page.
+    ///
+    /// # Errors
+    /// What is no view.
+    pub fn close(&mut self, view: &Ts<View>) -> Result<(), JsError> {
+        let view = view.to_rust()?;
+        self.views.close(view);
+        self.canvases.remove(&view);
+        Ok(())
+    }
+
+    /// Lets other mappers take in the run, from its beginning to this moment and from here on.
+    ///
+    /// # Errors
+    /// What is no mapper.
+    #[allow(clippy::needless_pass_by_value, reason = "a list can cross in no other form")]
+    pub fn remap(&mut self, mappers: Vec<String>) -> Result<(), JsError> {
+        Ok(self.run.remap(opening::mappers(&mappers)?)?)
+    }
+
+    /// Moves what all views show by so many pixels.
     pub fn drag(&mut self, x: f64, y: f64) {
         self.views.drag(DVec2::new(x, y));
     }
 
-    /// Zooms both views by a factor, about a pixel of one of them or about the middle.
+    /// Zooms all views by a factor, about a pixel of one of them or about the middle.
     ///
     /// # Errors
     /// What is no view.
@@ -143,9 +165,13 @@ impl Laboratory {
         Ok(())
     }
 
-    /// Lays the truth over the memory, or takes it away.
-    pub fn show_truth(&mut self, truth: bool) {
-        self.shown.truth = truth;
+    /// Chooses what is shown of the memories.
+    ///
+    /// # Errors
+    /// What is no layer.
+    pub fn show(&mut self, layers: &Ts<Layers>) -> Result<(), JsError> {
+        self.shown = layers.to_rust()?.into();
+        Ok(())
     }
 
     /// Shows everything again.
@@ -184,14 +210,12 @@ impl Laboratory {
         let camera = Some(self.views.camera());
         let sheet = Sheet { width, height, theme: look.into(), camera, title: false, legend };
         let place = Place { corner: DVec2::ZERO, density };
-        let canvas = match view {
-            View::Left => &mut self.left,
-            View::Right => &mut self.right,
-        };
+        let canvas = self.canvases.entry(view).or_default();
         Ok(canvas.paint(context, &scene, &sheet, place).map_err(Failure::from)?)
     }
 
-    /// Paints both views side by side with titles and legends, each in a square of that many pixels of the page.
+    /// Paints the world and every memory in a row, with titles and legends, each in a square of that
+    /// many pixels of the page.
     ///
     /// # Errors
     /// What is no look, and what the browser has against painting.
@@ -203,8 +227,8 @@ impl Laboratory {
         density: f64,
     ) -> Result<(), JsError> {
         let sheet = Sheet::new(side, side, look.to_rust()?.into());
-        for (view, x) in [(View::Left, 0.0), (View::Right, side)] {
-            let place = Place { corner: DVec2::new(x, 0.0), density };
+        for (index, view) in all_views(&self.run).enumerate() {
+            let place = Place { corner: DVec2::new(side * index as f64, 0.0), density };
             let scene = scene(self.run.session(), view, self.shown);
             Canvas::default().paint(context, &scene, &sheet, place).map_err(Failure::from)?;
         }
@@ -215,10 +239,15 @@ impl Laboratory {
 impl Laboratory {
     fn of(run: Run) -> Self {
         let mut views = Views::new();
-        for view in [View::Left, View::Right] {
-            views.make_room(&scene(run.session(), view, MemoryOptions::default()));
-        }
         let shown = MemoryOptions::default();
-        Self { run, views, shown, left: Canvas::default(), right: Canvas::default() }
+        for view in all_views(&run) {
+            views.make_room(&scene(run.session(), view, shown));
+        }
+        Self { run, views, shown, canvases: BTreeMap::new() }
     }
+}
+
+/// The world, and a memory for each mapper.
+fn all_views(run: &Run) -> impl Iterator<Item = View> {
+    std::iter::once(View::World).chain(View::MEMORIES.into_iter().take(run.session().mappers().len()))
 }

@@ -1,7 +1,7 @@
 //! Cogmap for the browser: one class, [`Laboratory`], over a session.
 //!
 //! The page holds a `Laboratory` in a worker, lets it [advance](Laboratory::advance) frame by frame,
-//! gives it [orders](Laboratory::order) and lets it [paint](Laboratory::paint) the two views on its
+//! gives it [orders](Laboratory::order) and lets it [paint](Laboratory::paint) the views on its
 //! canvases. It never learns how a map is made: what it shows in words comes as one plain object,
 //! [`Status`]. The TypeScript types of all objects are generated from the ones here; every error
 //! reaches the page as an `Error` whose message is meant for people.
@@ -12,7 +12,9 @@
 mod canvas;
 mod failure;
 mod laboratory;
+mod layers;
 mod look;
+mod memories;
 mod opening;
 mod order;
 mod run;
@@ -22,8 +24,11 @@ mod status;
 mod views;
 
 pub use laboratory::Laboratory;
+pub use layers::{Colours, Layers};
 pub use look::Look;
 pub use order::Order;
 pub use setup::{Choices, Opening, Setup};
-pub use status::{LastView, Offset, PlacementKind, ReferencePair, SourceKind, Status};
+pub use status::{
+    Happened, Happening, LastView, MemoryStatus, Offset, PlacementKind, ReferencePair, SourceKind, Status,
+};
 pub use views::View;

@@ -14,8 +14,8 @@ use crate::{
 /// A run in one of the page's worlds.
 pub(crate) fn start(setup: &Setup) -> Result<Run, Failure> {
     let world = world::read(&setup.world, &setup.file)?;
-    let (robot, mapper) = (robot(&setup.robot)?, mapper(&setup.mapper)?);
-    drive(world, robot, mapper, setup.seed, label(&setup.file, false))
+    let (robot, mappers) = (robot(&setup.robot)?, mappers(&setup.mappers)?);
+    drive(world, robot, mappers, setup.seed, label(&setup.file, false))
 }
 
 /// A run of what somebody brought, by its content. `other` may be the log that a session needs.
@@ -25,8 +25,8 @@ pub(crate) fn open(opening: &Opening, bytes: &[u8], other: Option<&[u8]>) -> Res
         Kind::Log => map_log(opening, bytes),
         Kind::World => {
             let world = world::read(text(&plain, &opening.name)?, &opening.name)?;
-            let (robot, mapper) = (robot(&opening.robot)?, mapper(&opening.mapper)?);
-            drive(world, robot, mapper, opening.seed, label(&opening.name, true))
+            let (robot, mappers) = (robot(&opening.robot)?, mappers(&opening.mappers)?);
+            drive(world, robot, mappers, opening.seed, label(&opening.name, true))
         }
         Kind::Session => reopen(text(&plain, &opening.name)?, &opening.name, other),
     }
@@ -54,21 +54,24 @@ impl Kind {
 }
 
 /// A robot at the start of a world, about to be driven along the world's first route.
-fn drive(world: World, robot: Robot, mapper: MapperSetup, seed: u64, label: Label) -> Result<Run, Failure> {
+fn drive(
+    world: World,
+    robot: Robot,
+    mappers: Vec<MapperSetup>,
+    seed: u64,
+    label: Label,
+) -> Result<Run, Failure> {
     let route: Option<Vec<_>> =
         world.routes.values().next().map(|route| route.iter().copied().map(DVec2::from).collect());
     // A route that cannot be driven is no reason to keep the world from whoever wants to drive in it.
     let driver = route.and_then(|route| Driver::new(&world, &robot, &route).ok());
     let label = Label { name: world.name.clone(), ..label };
-    let record = SessionRecord::new(Source::world(world, robot), vec![mapper], seed);
+    let record = SessionRecord::new(Source::world(world, robot), mappers, seed);
     Ok(Run::new(Session::drive(record)?, label, driver))
 }
 
-/// A log with the chosen mapper, and the others beside it, because there is no truth to show.
 fn map_log(opening: &Opening, bytes: &[u8]) -> Result<Run, Failure> {
-    let chosen = mapper(&opening.mapper)?;
-    let rivals = MapperSetup::NAMES.iter().filter(|name| **name != opening.mapper);
-    let mappers = std::iter::once(chosen).chain(rivals.filter_map(|name| MapperSetup::named(name))).collect();
+    let mappers = mappers(&opening.mappers)?;
     let source = Source::Log {
         path: opening.name.clone(),
         sha256: sha256_hex(bytes),
@@ -118,8 +121,18 @@ fn robot(name: &str) -> Result<Robot, Failure> {
     Robot::named(name).ok_or_else(|| unknown("robot", name, &Robot::NAMES))
 }
 
-fn mapper(name: &str) -> Result<MapperSetup, Failure> {
-    MapperSetup::named(name).ok_or_else(|| unknown("mapper", name, &MapperSetup::NAMES))
+/// The mappers of these names: at least one, each once.
+pub(crate) fn mappers(names: &[String]) -> Result<Vec<MapperSetup>, Failure> {
+    let twice = names.iter().enumerate().find(|(index, name)| names[..*index].contains(name));
+    if let Some((_, name)) = twice {
+        return Err(Failure::new(&format!("the mapper `{name}` is chosen twice")));
+    }
+    if names.is_empty() {
+        return Err(Failure::new(&"no mapper is chosen"));
+    }
+    let known =
+        |name: &String| MapperSetup::named(name).ok_or_else(|| unknown("mapper", name, &MapperSetup::NAMES));
+    names.iter().map(known).collect()
 }
 
 fn unknown(what: &str, name: &str, known: &[&str]) -> Failure {

@@ -1,11 +1,12 @@
-use cogmap_geometry::{DVec2, Pose, normalize_angle};
-use cogmap_mapping::{Event, Placement, StepReport};
+use cogmap_geometry::DVec2;
+use cogmap_mapping::{Event, MapperSetup};
 use cogmap_simulation::{Command, Driver, MapperJournal, Robot, Session, Source, Stamped};
 
 use crate::{
+    failure::Failure,
+    memories::memories,
     order::{Order, step_to},
-    scenes::shared_from_map,
-    status::{LastView, Offset, PlacementKind, ReferencePair, SourceKind, Status},
+    status::{SourceKind, Status},
 };
 
 /// A step that has not led to a view after so many ticks is not waited for any longer.
@@ -130,12 +131,16 @@ impl Run {
         self.session.journal().mappers.first().map_or(0, |mapper| mapper.reports.len())
     }
 
+    /// Shows the run so far, and what follows, to other mappers.
+    pub(crate) fn remap(&mut self, mappers: Vec<MapperSetup>) -> Result<(), Failure> {
+        self.session = self.session.remapped(mappers)?;
+        Ok(())
+    }
+
     pub(crate) fn status(&self) -> Status {
         let session = &self.session;
         let journal = session.journal();
         let truth_known = session.world_from_robot().is_some();
-        let names: Vec<_> = session.record().mappers.iter().map(|mapper| mapper.name().to_owned()).collect();
-        let last = journal.mappers.first().and_then(|mapper| mapper.reports.last());
         Status {
             source: if truth_known { SourceKind::World } else { SourceKind::Log },
             foreign: self.label.foreign,
@@ -144,41 +149,20 @@ impl Run {
             stem: self.label.stem.clone(),
             robot: self.robot().map(|robot| robot.name.clone()),
             seed: session.record().seed,
-            mapper: names.first().cloned().unwrap_or_default(),
-            rival: if truth_known { None } else { names.get(1).cloned() },
             position: session.position(),
             end: session.end(),
             time: session.time(),
             idle: self.idle(),
             on_route: self.driver.is_some(),
-            surfaces: session.mappers().first().map_or(0, |mapper| mapper.mfis().surfaces().len()),
-            views: self.views(),
             collisions: journal.mappers.first().map_or(0, collisions),
             travelled: length_of(if truth_known { &journal.truth } else { &journal.odometry }),
-            off: self.offset(),
-            last: last.map(last_view),
+            memories: memories(session),
         }
-    }
-
-    /// How far the robot is from where it believes it is, the two frames meeting at the first view.
-    fn offset(&self) -> Option<Offset> {
-        let world_from_robot = self.session.world_from_robot()?;
-        let map_from_robot =
-            self.session.mappers().first()?.map_from_robot(self.session.odom_from_robot())?;
-        let believed = shared_from_map(&self.session)? * map_from_robot;
-        Some(offset_between(world_from_robot, believed))
     }
 }
 
 fn collisions(journal: &MapperJournal) -> usize {
     journal.events.iter().filter(|(_, event)| matches!(event, Event::Collision { .. })).count()
-}
-
-fn offset_between(truth: Pose, believed: Pose) -> Offset {
-    Offset {
-        distance: truth.position.distance(believed.position),
-        heading_deg: normalize_angle(truth.heading - believed.heading).abs().to_degrees(),
-    }
 }
 
 fn length_of(path: &[Stamped]) -> f64 {
@@ -188,24 +172,4 @@ fn length_of(path: &[Stamped]) -> f64 {
             _ => 0.0,
         })
         .sum()
-}
-
-fn last_view(report: &StepReport) -> LastView {
-    let reference = report.references.first();
-    LastView {
-        step: report.step,
-        seen: report.view.surfaces.len(),
-        recognised: report.matches.len(),
-        placed: report.placed.len(),
-        placement: match report.placement {
-            Placement::First => PlacementKind::First,
-            Placement::Reference => PlacementKind::Reference,
-            Placement::WeakReference => PlacementKind::WeakReference,
-            Placement::Consensus => PlacementKind::Consensus,
-            Placement::Transform => PlacementKind::Transform,
-            Placement::PartlyOdometry => PlacementKind::PartlyOdometry,
-            Placement::Odometry => PlacementKind::Odometry,
-        },
-        reference: reference.map(|pair| ReferencePair { seen: pair.seen, known: pair.known.0 }),
-    }
 }

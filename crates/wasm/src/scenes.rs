@@ -4,23 +4,19 @@ use cogmap_simulation::Session;
 
 use crate::views::View;
 
-/// What a view shows of a session, in the coordinates that both views share.
+/// What a view shows of a session, in the coordinates that all views share.
 pub(crate) fn scene(session: &Session, view: View, options: MemoryOptions) -> Scene {
-    let rival = usize::from(session.mappers().len() > 1);
-    match (view, shared_from_map(session)) {
-        (View::Left, Some(_)) => world_scene(session, WorldOptions::default()),
-        (View::Left, None) => memory_scene(session, rival, options),
-        (View::Right, shared) => {
-            memory_scene(session, 0, options).seen_from(shared.unwrap_or(Pose::IDENTITY))
-        }
-    }
+    let Some(mapper) = view.mapper() else { return world_scene(session, WorldOptions::default()) };
+    let shared_from_map = shared_from_map(session, mapper).unwrap_or(Pose::IDENTITY);
+    memory_scene(session, mapper, options).seen_from(shared_from_map)
 }
 
-/// Where the memory's frame lies in the world so that both agree about the first view; `None`
-/// where there is no truth.
-pub(crate) fn shared_from_map(session: &Session) -> Option<Pose> {
-    let truth = session.journal().truth.first()?;
-    let mapper = session.mappers().first()?;
+/// Where the frame of a mapper's memory lies in the world, or in the odometry's frame where there is
+/// no truth, so that both agree about the first view; `None` before that.
+pub(crate) fn shared_from_map(session: &Session, mapper: usize) -> Option<Pose> {
+    let journal = session.journal();
+    let first_scan = journal.truth.first().or(journal.odometry.first())?;
+    let mapper = session.mappers().get(mapper)?;
     let first = mapper.mfis().place_of(mapper.path().first()?);
-    Some(truth.pose * first.inverse())
+    Some(first_scan.pose * first.inverse())
 }

@@ -3,6 +3,8 @@ use cogmap_simulation::Robot;
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 
+use crate::layers::Layers;
+
 /// What a run in a building is made of.
 #[derive(Clone, Debug, Deserialize, Tsify)]
 #[serde(deny_unknown_fields)]
@@ -13,8 +15,8 @@ pub struct Setup {
     pub world: String,
     /// One of [`Choices::robots`].
     pub robot: String,
-    /// One of [`Choices::mappers`].
-    pub mapper: String,
+    /// One to four of [`Choices::mappers`], each once: their memories are shown side by side.
+    pub mappers: Vec<String>,
     /// Everything random comes from it.
     pub seed: u64,
 }
@@ -27,11 +29,14 @@ pub struct Opening {
     pub name: String,
     /// One of [`Choices::robots`], for a world.
     pub robot: String,
-    /// One of [`Choices::mappers`], for a world or a log.
-    pub mapper: String,
+    /// One to four of [`Choices::mappers`], for a world or a log.
+    pub mappers: Vec<String>,
     /// The seed of a world's run.
     pub seed: u64,
 }
+
+/// What the page opens with, as the command line does.
+const FIRST_MAPPER: &str = "consensus";
 
 /// The names that a [`Setup`] can hold, and what is chosen at first.
 #[derive(Clone, Debug, Serialize, Tsify)]
@@ -46,20 +51,22 @@ pub struct Choices {
     pub mapper: String,
     /// The seed at first.
     pub seed: u64,
+    /// What is shown at first.
+    pub layers: Layers,
 }
 
 impl Choices {
     /// Everything that this version knows.
     pub(crate) fn all() -> Self {
         let names = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
-        let [mapper, ..] = MapperSetup::NAMES;
         let [.., robot] = Robot::NAMES;
         Self {
             robots: names(&Robot::NAMES),
             mappers: names(&MapperSetup::NAMES),
             robot: robot.to_owned(),
-            mapper: mapper.to_owned(),
+            mapper: FIRST_MAPPER.to_owned(),
             seed: 1,
+            layers: Layers::default(),
         }
     }
 }

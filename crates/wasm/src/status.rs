@@ -1,6 +1,8 @@
 use serde::Serialize;
 use tsify::Tsify;
 
+use crate::views::View;
+
 /// What a run looks like at this moment.
 #[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Status {
@@ -18,10 +20,6 @@ pub struct Status {
     pub robot: Option<String>,
     /// Everything random came from it.
     pub seed: u64,
-    /// The mapper whose memory is shown.
-    pub mapper: String,
-    /// The mapper that is shown beside it, where there is no truth to show.
-    pub rival: Option<String>,
     /// Ticks or readings so far.
     pub position: u64,
     /// The furthest position known.
@@ -32,18 +30,75 @@ pub struct Status {
     pub idle: bool,
     /// Whether a route is being played.
     pub on_route: bool,
-    /// How many surfaces the memory holds.
-    pub surfaces: usize,
-    /// How many views it was made from.
-    pub views: usize,
     /// How often the robot drove into something.
     pub collisions: usize,
     /// Metres driven, as the odometry tells it.
     pub travelled: f64,
+    /// What each mapper has in mind.
+    pub memories: Vec<MemoryStatus>,
+}
+
+/// What one mapper has in mind at this moment.
+#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
+pub struct MemoryStatus {
+    /// The view that shows it.
+    pub view: View,
+    /// The mapper.
+    pub mapper: String,
+    /// How many surfaces it remembers.
+    pub surfaces: usize,
+    /// How many views they were taken from.
+    pub views: usize,
+    /// How many local spaces it knows; nothing where it does not know what a space is.
+    pub asrs: Option<usize>,
+    /// How many exits.
+    pub exits: Option<usize>,
     /// How far off the robot is, where the truth is known.
     pub off: Option<Offset>,
-    /// What the mapper made of the latest view.
+    /// What it made of the latest view.
     pub last: Option<LastView>,
+    /// What happened lately that is worth a word.
+    pub happened: Option<Happened>,
+}
+
+/// Something that happened in a mapper's mind.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Tsify)]
+pub struct Happened {
+    /// The number of the view with which it happened.
+    pub step: usize,
+    /// How long ago that was, seconds of the run.
+    pub ago: f64,
+    /// What.
+    pub what: Happening,
+}
+
+/// What can happen in a mapper's mind that is worth a word; the numbers are those of the files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Tsify)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Happening {
+    /// The robot went through an exit.
+    Exit {
+        /// Which.
+        exit: u32,
+        /// The local space that it is in since.
+        asr: u32,
+    },
+    /// A local space was opened behind an exit.
+    NewAsr {
+        /// Which.
+        asr: u32,
+        /// The exit.
+        exit: u32,
+    },
+    /// The robot is back in a local space that it knew.
+    LoopClosed {
+        /// Which.
+        asr: u32,
+        /// The exit that now leads there.
+        exit: u32,
+    },
+    /// The robot found itself in a place that it knew, and goes on in its coordinates.
+    Recognised,
 }
 
 /// What a run's readings come from.

@@ -1,6 +1,8 @@
+use std::collections::BTreeMap;
+
 use cogmap_geometry::DVec2;
 use cogmap_scene::{Bounds, Camera, Margins, Scene};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 
 /// Room to every side of what there is at first, metres.
@@ -16,21 +18,36 @@ const AROUND_LEGEND: Margins = Margins { top: 20.0, bottom: 84.0, side: 20.0 };
 /// Pixels kept free around everything, with the scale bar alone below.
 const AROUND: Margins = Margins { top: 12.0, bottom: 44.0, side: 12.0 };
 
-/// The two views of the page.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Tsify)]
+/// A view of the page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, Tsify)]
 #[serde(rename_all = "snake_case")]
 pub enum View {
-    /// The truth, or another mapper's memory.
-    Left,
-    /// The memory.
-    Right,
+    /// The truth; for a log, where odometry takes the robot.
+    World,
+    /// The memory of the first mapper.
+    First,
+    /// Of the second.
+    Second,
+    /// Of the third.
+    Third,
+    /// Of the fourth.
+    Fourth,
 }
 
-/// The sizes of the two views and the one camera that both look through.
+impl View {
+    /// The memories, in the order of the mappers.
+    pub(crate) const MEMORIES: [Self; 4] = [Self::First, Self::Second, Self::Third, Self::Fourth];
+
+    /// Whose memory it shows.
+    pub(crate) fn mapper(self) -> Option<usize> {
+        Self::MEMORIES.iter().position(|memory| *memory == self)
+    }
+}
+
+/// The sizes of the views that are on the page, and the one camera that all look through.
 #[derive(Clone, Debug)]
 pub(crate) struct Views {
-    left: DVec2,
-    right: DVec2,
+    sizes: BTreeMap<View, DVec2>,
     /// What somebody chose to look at; `None` shows everything.
     chosen: Option<Camera>,
     /// What everything is taken to be.
@@ -39,23 +56,21 @@ pub(crate) struct Views {
 
 impl Views {
     pub(crate) fn new() -> Self {
-        Self { left: DVec2::ONE, right: DVec2::ONE, chosen: None, framed: None }
+        Self { sizes: BTreeMap::new(), chosen: None, framed: None }
     }
 
     /// The size of a view, pixels.
     pub(crate) fn size(&self, view: View) -> DVec2 {
-        match view {
-            View::Left => self.left,
-            View::Right => self.right,
-        }
+        self.sizes.get(&view).copied().unwrap_or(DVec2::ONE)
     }
 
     pub(crate) fn resize(&mut self, view: View, size: DVec2) {
-        let size = size.max(DVec2::ONE);
-        match view {
-            View::Left => self.left = size,
-            View::Right => self.right = size,
-        }
+        self.sizes.insert(view, size.max(DVec2::ONE));
+    }
+
+    /// Notes that a view has left the page.
+    pub(crate) fn close(&mut self, view: View) {
+        self.sizes.remove(&view);
     }
 
     /// Whether a view has room for its legend.
@@ -63,12 +78,12 @@ impl Views {
         self.size(view).cmpge(ROOM_FOR_LEGEND).all()
     }
 
-    /// What both views show.
+    /// What all views show.
     pub(crate) fn camera(&self) -> Camera {
         self.chosen.unwrap_or_else(|| {
             let empty = Bounds { min: DVec2::splat(-EMPTY), max: DVec2::splat(EMPTY) };
-            let size = self.left.min(self.right);
-            let margins = if self.has_legend(View::Left) { AROUND_LEGEND } else { AROUND };
+            let size = self.sizes.values().copied().reduce(DVec2::min).unwrap_or(DVec2::ONE);
+            let margins = if size.cmpge(ROOM_FOR_LEGEND).all() { AROUND_LEGEND } else { AROUND };
             Camera::fit(self.framed.unwrap_or(empty), size.x, size.y, margins)
         })
     }
@@ -127,8 +142,8 @@ mod tests {
 
     fn views_of(scene: &Scene) -> Views {
         let mut views = Views::new();
-        views.resize(View::Left, DVec2::new(640.0, 480.0));
-        views.resize(View::Right, DVec2::new(640.0, 480.0));
+        views.resize(View::World, DVec2::new(640.0, 480.0));
+        views.resize(View::First, DVec2::new(640.0, 480.0));
         views.make_room(scene);
         views
     }
@@ -161,9 +176,9 @@ mod tests {
     fn zooming_holds_the_point_under_the_finger() {
         let mut views = views_of(&line_to(DVec2::new(3.0, 2.0)));
         let pixel = DVec2::new(100.0, 70.0);
-        let held = views.to_metres(View::Right, pixel);
-        views.zoom(1.7, View::Right, Some(pixel));
-        assert!(views.to_metres(View::Right, pixel).distance(held) < 1e-9);
+        let held = views.to_metres(View::First, pixel);
+        views.zoom(1.7, View::First, Some(pixel));
+        assert!(views.to_metres(View::First, pixel).distance(held) < 1e-9);
     }
 
     #[test]
@@ -171,9 +186,9 @@ mod tests {
         let mut views = views_of(&line_to(DVec2::new(3.0, 2.0)));
         let before = views.camera();
         views.drag(DVec2::NAN);
-        views.zoom(f64::NAN, View::Left, None);
-        views.zoom(-1.0, View::Left, None);
-        views.zoom(2.0, View::Left, Some(DVec2::splat(f64::INFINITY)));
+        views.zoom(f64::NAN, View::World, None);
+        views.zoom(-1.0, View::World, None);
+        views.zoom(2.0, View::World, Some(DVec2::splat(f64::INFINITY)));
         assert_eq!(views.camera(), before);
     }
 }

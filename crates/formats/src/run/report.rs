@@ -68,8 +68,14 @@ struct MapperNote<'a> {
     weak_placements: usize,
     partly_by_odometry: usize,
     fallbacks: usize,
+    /// Surfaces that it has forgotten since.
+    forgotten: usize,
     frames: usize,
     recognised: usize,
+    /// Mappers that do not share their map out among local spaces have none of these three.
+    asrs: Option<usize>,
+    exits: Option<usize>,
+    loops_closed: Option<usize>,
     /// Metres, from view to view, in the map.
     path_length: f64,
     parameters: &'a MapperSetup,
@@ -120,6 +126,10 @@ fn collisions(journal: &MapperJournal) -> usize {
     journal.events.iter().filter(|(_, event)| matches!(event, Event::Collision { .. })).count()
 }
 
+fn loops_closed(journal: &MapperJournal) -> usize {
+    journal.events.iter().filter(|(_, event)| matches!(event, Event::LoopClosed { .. })).count()
+}
+
 fn length(poses: &[Stamped]) -> f64 {
     poses.windows(2).map(|pair| pair[0].pose.position.distance(pair[1].pose.position)).sum()
 }
@@ -133,7 +143,7 @@ fn mapper_note<'a>(session: &'a Session, index: usize, label: &'a str) -> Option
         .iter()
         .map(|point| Stamped { t: point.t, pose: mapper.mfis().place_of(point) })
         .collect();
-    let surfaces = mapper.mfis().surfaces();
+    let (surfaces, network) = (mapper.mfis().surfaces(), mapper.network());
     Some(MapperNote {
         name: parameters.name(),
         label,
@@ -145,8 +155,12 @@ fn mapper_note<'a>(session: &'a Session, index: usize, label: &'a str) -> Option
         weak_placements: placed_by(Placement::WeakReference),
         partly_by_odometry: placed_by(Placement::PartlyOdometry),
         fallbacks: placed_by(Placement::Odometry),
+        forgotten: surfaces.len() - mapper.mfis().remembered().count(),
         frames: mapper.mfis().frames().len(),
         recognised: journal.reports.iter().filter(|report| report.recalled.is_some()).count(),
+        asrs: network.map(|network| network.asrs().len()),
+        exits: network.map(|network| network.exits().len()),
+        loops_closed: network.map(|_| loops_closed(journal)),
         path_length: length(&path),
         parameters,
     })

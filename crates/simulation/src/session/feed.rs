@@ -45,6 +45,14 @@ impl Feed {
         Drive::new(record).map(Self::Drive)
     }
 
+    /// The same readings before the first.
+    pub(super) fn from_the_beginning(&self, record: &SessionRecord) -> Result<Self, Vec<Problem>> {
+        match self {
+            Self::Drive(_) => Self::drive(record),
+            Self::Log { recording, .. } => Ok(Self::Log { recording: Arc::clone(recording), next: 0 }),
+        }
+    }
+
     pub(super) fn advance(&mut self, commands: &[TimedCommand]) -> Option<Turn> {
         match self {
             Self::Drive(drive) => Some(drive.advance(commands)),

@@ -1,0 +1,47 @@
+use cogmap_scene::{Colouring, MemoryOptions};
+use serde::{Deserialize, Serialize};
+use tsify::Tsify;
+
+/// What is shown of the memories beside their surfaces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Tsify)]
+#[serde(deny_unknown_fields)]
+pub struct Layers {
+    /// What the colours of the surfaces say.
+    pub colours: Colours,
+    /// The exits.
+    pub exits: bool,
+    /// The network of local spaces.
+    pub network: bool,
+    /// The world laid over the memory.
+    pub truth: bool,
+}
+
+/// What the colour of a surface says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Tsify)]
+#[serde(rename_all = "snake_case")]
+pub enum Colours {
+    /// Which view saw it first.
+    View,
+    /// Which local space it belongs to.
+    Asr,
+    /// How long ago it was first seen.
+    Age,
+}
+
+impl Default for Layers {
+    fn default() -> Self {
+        Self { colours: Colours::View, exits: true, network: true, truth: false }
+    }
+}
+
+impl From<Layers> for MemoryOptions {
+    fn from(layers: Layers) -> Self {
+        let Layers { colours, exits, network, truth } = layers;
+        let colouring = match colours {
+            Colours::View => Colouring::View,
+            Colours::Asr => Colouring::Asr,
+            Colours::Age => Colouring::Age,
+        };
+        Self { truth, exits, network, colouring, ..Self::default() }
+    }
+}

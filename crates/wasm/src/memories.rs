@@ -1,0 +1,92 @@
+//! What the mappers have in mind, in figures and for words.
+
+use cogmap_geometry::{Pose, normalize_angle};
+use cogmap_mapping::{Event, Mapper, MapperSetup, Placement, StepReport};
+use cogmap_simulation::{MapperJournal, Session};
+
+use crate::{
+    scenes::shared_from_map,
+    status::{Happened, Happening, LastView, MemoryStatus, Offset, PlacementKind, ReferencePair},
+    views::View,
+};
+
+/// What each mapper has in mind at this moment.
+pub(crate) fn memories(session: &Session) -> Vec<MemoryStatus> {
+    let minds = session.mappers().iter().zip(&session.journal().mappers);
+    let setups = &session.record().mappers;
+    let each = View::MEMORIES.into_iter().zip(setups).zip(minds);
+    let memories = each.map(|((view, setup), (mapper, journal))| memory(view, setup, mapper, journal));
+    let offsets = (0..).map(|index| offset(session, index));
+    memories.zip(offsets).map(|(memory, off)| MemoryStatus { off, ..memory }).collect()
+}
+
+fn memory(view: View, setup: &MapperSetup, mapper: &Mapper, journal: &MapperJournal) -> MemoryStatus {
+    MemoryStatus {
+        view,
+        mapper: setup.name().to_owned(),
+        surfaces: mapper.mfis().remembered().count(),
+        views: journal.reports.len(),
+        asrs: mapper.network().map(|network| network.asrs().len()),
+        exits: mapper.network().map(|network| network.exits().len()),
+        off: None,
+        last: journal.reports.last().map(last_view),
+        happened: happened(journal),
+    }
+}
+
+/// How far the robot is from where it believes it is, the two frames meeting at the first view.
+fn offset(session: &Session, mapper: usize) -> Option<Offset> {
+    let world_from_robot = session.world_from_robot()?;
+    let map_from_robot = session.mappers().get(mapper)?.map_from_robot(session.odom_from_robot())?;
+    Some(offset_between(world_from_robot, shared_from_map(session, mapper)? * map_from_robot))
+}
+
+fn offset_between(truth: Pose, believed: Pose) -> Offset {
+    Offset {
+        distance: truth.position.distance(believed.position),
+        heading_deg: normalize_angle(truth.heading - believed.heading).abs().to_degrees(),
+    }
+}
+
+/// The latest event that is worth a word. Of several in one view the last says most: that a loop was
+/// closed rather than that an exit was crossed.
+fn happened(journal: &MapperJournal) -> Option<Happened> {
+    let now = journal.reports.last()?.t;
+    journal.events.iter().rev().find_map(|(step, event)| {
+        let report = journal.reports.get(*step)?;
+        let what = happening(event, report)?;
+        Some(Happened { step: *step, ago: now - report.t, what })
+    })
+}
+
+fn happening(event: &Event, report: &StepReport) -> Option<Happening> {
+    Some(match event {
+        Event::Exit { exit, .. } => {
+            Happening::Exit { exit: exit.0, asr: report.place.as_ref().map_or(0, |place| place.asr.0) }
+        }
+        Event::NewAsr { asr, exit, .. } => Happening::NewAsr { asr: asr.0, exit: exit.0 },
+        Event::LoopClosed { asr, exit, .. } => Happening::LoopClosed { asr: asr.0, exit: exit.0 },
+        Event::Recognised(_) => Happening::Recognised,
+        _ => return None,
+    })
+}
+
+fn last_view(report: &StepReport) -> LastView {
+    let reference = report.references.first();
+    LastView {
+        step: report.step,
+        seen: report.view.surfaces.len(),
+        recognised: report.matches.len(),
+        placed: report.placed.len(),
+        placement: match report.placement {
+            Placement::First => PlacementKind::First,
+            Placement::Reference => PlacementKind::Reference,
+            Placement::WeakReference => PlacementKind::WeakReference,
+            Placement::Consensus => PlacementKind::Consensus,
+            Placement::Transform => PlacementKind::Transform,
+            Placement::PartlyOdometry => PlacementKind::PartlyOdometry,
+            Placement::Odometry => PlacementKind::Odometry,
+        },
+        reference: reference.map(|pair| ReferencePair { seen: pair.seen, known: pair.known.0 }),
+    }
+}
