@@ -88,6 +88,7 @@ mod tests {
             angle_increment: 1_f64.to_radians(),
             range_max: 8.0,
             ranges: (0..181).map(beam).collect(),
+            labels: Vec::new(),
         };
         let mut mapper = Mapper::new(&MapperSetup::named("perceptual").unwrap(), 1);
         let reading = Reading { t: 0.0, odom_from_robot: Pose::IDENTITY, moment: Moment::StepEnd, scan };

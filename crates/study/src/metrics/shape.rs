@@ -4,6 +4,8 @@ use super::{Mapped, Sample, alignment::by_whole_way};
 
 /// A wall this long is one of the sides that a building's shape rests on, metres.
 const MAIN_WALL: f64 = 3.0;
+/// A surface that was seen turned from its wall by more than this shows something else as well, radians.
+const ASKEW: f64 = 5.0 * trig::PI / 180.0;
 
 /// How far a map's shape is from the building's.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,7 +52,8 @@ pub fn side_angles(surfaces: &[Mapped], walls: &[Segment], world_from_map: Pose)
     let mut squares = Vec::new();
     for (number, wall) in walls.iter().enumerate().filter(|(_, wall)| wall.length() >= MAIN_WALL) {
         let (mut sum, mut weight) = (0.0, 0.0);
-        for surface in surfaces.iter().filter(|s| s.wall == Some(number) && s.is_long()) {
+        let shows = |s: &&Mapped| s.wall == Some(number) && s.is_long() && s.in_world.angle_to(*wall) < ASKEW;
+        for surface in surfaces.iter().filter(shows) {
             let placed = world_from_map * surface.in_map;
             sum += turned(placed.heading() - wall.heading()) * placed.length();
             weight += placed.length();
@@ -91,9 +94,8 @@ mod tests {
         let line = |ax, ay, bx, by| Segment::new(DVec2::new(ax, ay), DVec2::new(bx, by));
         let walls = [line(0.0, 0.0, 4.0, 0.0), line(4.0, 0.0, 4.0, 4.0), line(0.0, 0.0, 1.0, 0.0)];
         let turn = Pose::new(0.0, 0.0, 2.0_f64.to_radians());
-        let mapped = |in_map, wall| Mapped { in_map, in_world: in_map, wall: Some(wall) };
-        let surfaces =
-            [mapped(turn * walls[0].reversed(), 0), mapped(walls[1], 1), mapped(turn * walls[2], 2)];
+        let mapped = |in_map, wall| Mapped { in_map, in_world: walls[wall], wall: Some(wall) };
+        let surfaces = [mapped(turn * walls[0].reversed(), 0), mapped(walls[1], 1), mapped(turn * walls[2], 2)];
         let angle = side_angles(&surfaces, &walls, Pose::IDENTITY).unwrap().to_degrees();
         assert!((angle - 2.0_f64.sqrt()).abs() < 1e-9, "{angle}");
         assert_eq!(side_angles(&surfaces[2..], &walls, Pose::IDENTITY), None);
