@@ -39,6 +39,9 @@ pub(crate) enum Request {
     /// Run an experiment with many seeds on all cores; without NAME, list the experiments
     #[command(after_help = crate::study::examples(), after_long_help = crate::study::explanations())]
     Study(StudyArguments),
+    /// Draw the figures of the thesis anew, from real runs, as SVG and PNG
+    #[command(after_help = FIGURES_EXAMPLES)]
+    Figures(FiguresArguments),
     /// Say what files are, what is in them and what is wrong with them
     #[command(after_help = CHECK_EXAMPLES)]
     Check(CheckArguments),
@@ -61,6 +64,13 @@ Example: cogmap replay intel/session.json --out again
 
 A session gives every file but timing.json again, byte for byte. It finds its log by the path
 that it was given, or beside itself, and makes sure that it is the very same log.";
+
+const FIGURES_EXAMPLES: &str = "\
+Example: cogmap figures
+Example: cogmap figures 3.8 3.9 --seed 7 --out other-drives
+Example: cogmap figures --list
+
+None is a copy: each is a new run that shows what the figure of that number shows, and says so.";
 
 const CHECK_EXAMPLES: &str = "\
 Example: cogmap check worlds/*.world.json
@@ -143,6 +153,26 @@ pub(crate) struct StudyArguments {
     /// Replace the files of an earlier run in DIR
     #[arg(long, requires = "out")]
     pub(crate) force: bool,
+}
+
+/// `cogmap figures`.
+#[derive(Debug, Args)]
+pub(crate) struct FiguresArguments {
+    /// Numbers of figures, such as 3.14 [default: all]
+    #[arg(value_name = "ID")]
+    pub(crate) ids: Vec<String>,
+    /// Directory for the figures; made if it is missing
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    pub(crate) out: PathBuf,
+    /// Everything random in the drives comes from it
+    #[arg(long, value_name = "N", default_value = "1", value_parser = seed, allow_negative_numbers = true)]
+    pub(crate) seed: u64,
+    /// Light lines on a dark ground
+    #[arg(long)]
+    pub(crate) dark: bool,
+    /// Only say which figures there are
+    #[arg(long)]
+    pub(crate) list: bool,
 }
 
 /// `cogmap check`.

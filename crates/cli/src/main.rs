@@ -2,7 +2,7 @@
 //! files, with the very code that the page runs.
 //!
 //! - [`arguments`] says what can be asked for,
-//! - [`run`], [`replay`], [`study`] and [`check`] do it,
+//! - [`run`], [`replay`], [`study`] and [`check`] do it, [`figures`] draws what the thesis drew,
 //! - [`input`] tells a world from a log from a session, [`building`] makes a world of a floor plan,
 //!   [`log`] finds and prepares a recording,
 //! - [`output`] owns a run's directory, [`conclusion`] fills it, [`summary`] says what came out,
@@ -13,6 +13,7 @@ mod building;
 mod check;
 mod conclusion;
 mod failure;
+mod figures;
 mod input;
 mod log;
 mod output;
@@ -52,5 +53,6 @@ fn fulfil(request: &Request) -> Result<(), Failure> {
         Request::Replay(arguments) => replay::replay(arguments),
         Request::Study(arguments) => study::study(arguments),
         Request::Check(arguments) => check::check(&arguments.files, arguments.picture.resolution),
+        Request::Figures(arguments) => figures::figures(arguments),
     }
 }

@@ -44,11 +44,7 @@ impl Output {
     /// Makes the directory, or takes one that exists. One with the files of another run is taken
     /// only with `force`.
     fn claim(directory: &Path, force: bool) -> Result<Self, Failure> {
-        if directory.exists() && !directory.is_dir() {
-            return Err(Failure::input(format!("--out {}: this is a file", directory.display()))
-                .help("name a directory; it is made if it is missing"));
-        }
-        fs::create_dir_all(directory).map_err(|error| unusable(directory, &error))?;
+        create(directory)?;
         let older = run_files_in(directory)?;
         if let (Some(first), false) = (older.first(), force) {
             let message =
@@ -99,6 +95,15 @@ impl Output {
             .and_then(|()| fs::remove_file(&probe))
             .map_err(|error| unusable(&self.directory, &error))
     }
+}
+
+/// Makes a directory where there is none.
+pub(crate) fn create(directory: &Path) -> Result<(), Failure> {
+    if directory.exists() && !directory.is_dir() {
+        return Err(Failure::input(format!("--out {}: this is a file", directory.display()))
+            .help("name a directory; it is made if it is missing"));
+    }
+    fs::create_dir_all(directory).map_err(|error| unusable(directory, &error))
 }
 
 fn unusable(directory: &Path, error: &io::Error) -> Failure {

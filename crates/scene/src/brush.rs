@@ -35,6 +35,7 @@ impl<'a> Brush<'a> {
         match &item.shape {
             Shape::Segments(segments) => self.segments(segments, style),
             Shape::Polyline(points) => self.path(&self.project(points), style, false),
+            Shape::Arrow(points) => self.arrow(&self.project(points), style),
             Shape::Polygon(points) => self.path(&self.project(points), style, true),
             Shape::Disc(center, radius) => {
                 let radius = (radius * self.camera.pixels_per_metre).max(0.75);
@@ -54,6 +55,15 @@ impl<'a> Brush<'a> {
         } else {
             self.marks.push(Mark::Lines { stroke, lines: vec![line] });
         }
+    }
+
+    fn arrow(&mut self, points: &[DVec2], style: Style) {
+        self.path(points, style, false);
+        let [.., from, to] = points else { return };
+        let ahead = (*to - *from).normalize_or_zero();
+        let corners = ARROWHEAD.map(|[x, y]| *to + ahead * x + ahead.perp() * y);
+        let fill = style.stroke.map(|stroke| stroke.colour);
+        self.path(&corners, Style { fill, ..style }, true);
     }
 
     pub(crate) fn path(&mut self, points: &[DVec2], style: Style, closed: bool) {
@@ -171,6 +181,8 @@ impl<'a> Brush<'a> {
     }
 }
 
+/// Corners of an arrowhead in pixels, ahead and across.
+const ARROWHEAD: [[f64; 2]; 3] = [[0.0, 0.0], [-9.0, 4.5], [-9.0, -4.5]];
 /// Pixels from the corner; corners beyond, and those that are not numbers, are left out.
 const FARTHEST: f64 = 1e6;
 /// Pixels; a robot is not drawn smaller.

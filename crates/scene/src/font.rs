@@ -32,3 +32,27 @@ pub(crate) fn text_width(text: &str, size: f64) -> f64 {
     let units: u64 = text.chars().map(|letter| u64::from(advance(letter))).sum();
     units as f64 / UNITS * size
 }
+
+/// The text, or its beginning with an ellipsis where it is wider than `room` pixels.
+pub(crate) fn shortened(text: &str, size: f64, room: f64) -> String {
+    if text_width(text, size) <= room {
+        return text.to_owned();
+    }
+    let mut kept: String = text.to_owned();
+    while !kept.is_empty() && text_width(&kept, size) + size > room {
+        kept.pop();
+    }
+    format!("{}…", kept.trim_end())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_titles_end_in_an_ellipsis() {
+        assert_eq!(shortened("Office", 17.0, 300.0), "Office");
+        let short = shortened("An office with far too long a name", 17.0, 120.0);
+        assert!(short.ends_with('…') && text_width(&short, 17.0) <= 120.0, "{short}");
+    }
+}

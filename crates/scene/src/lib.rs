@@ -21,6 +21,7 @@
 //!
 //! Nothing here calls the platform's own trigonometry: the same scene gives the same bytes everywhere.
 
+mod annotation;
 mod brush;
 mod camera;
 mod clip;
@@ -34,6 +35,7 @@ mod network_scene;
 mod palette;
 mod picture;
 mod place_mark;
+mod plate;
 #[cfg(feature = "png")]
 pub mod png;
 mod ramp;
@@ -45,6 +47,7 @@ pub mod svg;
 mod theme;
 mod world_scene;
 
+pub use annotation::Annotation;
 pub use camera::{Bounds, Camera, Margins};
 pub use colour::Colour;
 pub use font::{FONT, FONT_FAMILY};
@@ -52,6 +55,7 @@ pub use mark::{Anchor, HALO, Mark};
 pub use memory_scene::{MemoryOptions, memory_scene};
 pub use picture::{Picture, Sheet};
 pub use place_mark::PlaceMark;
+pub use plate::{Panel, Plate};
 pub use role::Role;
 pub use scene::{Item, LegendEntry, Sample, Scene, Shape};
 pub use surfaces::Colouring;

@@ -49,6 +49,18 @@ pub enum Mark {
     },
 }
 
+impl Mark {
+    /// Moves it by so many pixels.
+    pub(crate) fn shift(&mut self, by: DVec2) {
+        match self {
+            Self::Lines { lines, .. } => lines.iter_mut().flatten().for_each(|point| *point += by),
+            Self::Path { points, .. } => points.iter_mut().for_each(|point| *point += by),
+            Self::Circles { circles, .. } => circles.iter_mut().for_each(|(center, _)| *center += by),
+            Self::Text { at, .. } => *at += by,
+        }
+    }
+}
+
 /// Which part of a text stands at its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Anchor {

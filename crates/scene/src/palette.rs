@@ -26,6 +26,8 @@ pub(crate) struct Palette {
     pub(crate) reference: u32,
     /// Placements to distrust.
     pub(crate) warning: u32,
+    /// What was just added.
+    pub(crate) added: u32,
     /// The world laid over a memory.
     pub(crate) truth: u32,
     /// Local spaces: far apart to every eye, also to those that do not tell red from green.
@@ -47,6 +49,7 @@ pub(crate) const LIGHT: Palette = Palette {
     robot: 0x1f5fd6,
     reference: 0xd0146c,
     warning: 0xc2410c,
+    added: 0x15803d,
     truth: 0xb9b5aa,
     asrs: [0x005cd2, 0xf6570f, 0x049e7a, 0xa03488, 0x884d00, 0x121479, 0x780a37, 0x4493d9],
     ramp: ON_LIGHT,
@@ -65,6 +68,7 @@ pub(crate) const DARK: Palette = Palette {
     robot: 0x6aa5ff,
     reference: 0xff62aa,
     warning: 0xff8f5a,
+    added: 0x4ade80,
     truth: 0x4c5462,
     asrs: [0x2faaff, 0xff8e1d, 0x05c881, 0xd370bb, 0xe4dc3c, 0x7e68fe, 0xc6584e, 0x67d2e1],
     ramp: ON_DARK,

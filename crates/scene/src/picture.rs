@@ -1,7 +1,7 @@
 use cogmap_geometry::DVec2;
 
 use crate::{
-    Bounds, Camera, Colour, Item, Margins, Mark, Scene, Theme, brush::Brush, font::text_width, footer::Footer,
+    Bounds, Camera, Colour, Item, Margins, Mark, Scene, Theme, brush::Brush, font::shortened, footer::Footer,
 };
 
 /// What a scene is painted on.
@@ -115,18 +115,6 @@ fn title(brush: &mut Brush, scene: &Scene, sheet: &Sheet) {
     }
 }
 
-/// The text, or its beginning with an ellipsis where it is wider than `room` pixels.
-fn shortened(text: &str, size: f64, room: f64) -> String {
-    if text_width(text, size) <= room {
-        return text.to_owned();
-    }
-    let mut kept: String = text.to_owned();
-    while !kept.is_empty() && text_width(&kept, size) + size > room {
-        kept.pop();
-    }
-    format!("{}…", kept.trim_end())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -188,12 +176,5 @@ mod tests {
         let sheet = Sheet::new(390.0, 600.0, Theme::Light);
         let lowest = sheet.camera_for(&scene).to_pixels(wall.a, 390.0, 600.0).y;
         assert!(lowest <= 600.0 - Footer::of(&scene, &sheet).height);
-    }
-
-    #[test]
-    fn long_titles_end_in_an_ellipsis() {
-        assert_eq!(shortened("Office", 17.0, 300.0), "Office");
-        let short = shortened("An office with far too long a name", 17.0, 120.0);
-        assert!(short.ends_with('…') && text_width(&short, 17.0) <= 120.0, "{short}");
     }
 }

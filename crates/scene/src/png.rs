@@ -12,7 +12,12 @@ use crate::{Anchor, Colour, FONT, HALO, Mark, Picture, Scene, Sheet, theme::Stro
 /// scene gives the same bytes everywhere. `None` where the picture has no pixel or too many.
 #[must_use]
 pub fn paint(scene: &Scene, sheet: &Sheet, pixel_ratio: f64) -> Option<Vec<u8>> {
-    let picture = Picture::of(scene, sheet);
+    file(&Picture::of(scene, sheet), pixel_ratio)
+}
+
+/// Paints a picture as a PNG file in the same way.
+#[must_use]
+pub fn file(picture: &Picture, pixel_ratio: f64) -> Option<Vec<u8>> {
     let pixels = |length: f64| {
         let pixels = (length * pixel_ratio).round();
         (1.0..=LONGEST).contains(&pixels).then_some(pixels as u32)

@@ -51,4 +51,6 @@ pub enum Role {
     FallbackPlacement,
     /// The robot where it believes that it is.
     BelievedRobot,
+    /// What a figure adds to explain the rest.
+    Annotation(crate::Annotation),
 }

@@ -26,6 +26,8 @@ pub enum Shape {
     Segments(Vec<Segment>),
     /// A line through all points.
     Polyline(Vec<DVec2>),
+    /// A line through all points with an arrowhead at the last.
+    Arrow(Vec<DVec2>),
     /// An area.
     Polygon(Vec<DVec2>),
     /// A round area: centre and radius.
@@ -125,7 +127,7 @@ impl Shape {
     fn carry(&mut self, pose: Pose) {
         match self {
             Self::Segments(segments) => segments.iter_mut().for_each(|segment| *segment = pose * *segment),
-            Self::Polyline(points) | Self::Polygon(points) | Self::Signs(points) => {
+            Self::Polyline(points) | Self::Arrow(points) | Self::Polygon(points) | Self::Signs(points) => {
                 points.iter_mut().for_each(|point| *point = pose * *point);
             }
             Self::Disc(at, _) | Self::Label { at, .. } => *at = pose * *at,
@@ -137,7 +139,9 @@ impl Shape {
     fn extremes(&self) -> Vec<DVec2> {
         match self {
             Self::Segments(segments) => segments.iter().flat_map(|s| [s.a, s.b]).collect(),
-            Self::Polyline(points) | Self::Polygon(points) | Self::Signs(points) => points.clone(),
+            Self::Polyline(points) | Self::Arrow(points) | Self::Polygon(points) | Self::Signs(points) => {
+                points.clone()
+            }
             Self::Disc(center, radius) => vec![*center - *radius, *center + *radius],
             Self::Robot(pose, radius) => vec![pose.position - *radius, pose.position + *radius],
             Self::Label { at, .. } => vec![*at],

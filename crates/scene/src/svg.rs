@@ -9,14 +9,19 @@ use crate::{Anchor, Colour, FONT_FAMILY, HALO, Mark, Picture, Scene, Sheet, them
 /// Paints a scene as an SVG document. The same scene gives the same bytes everywhere.
 #[must_use]
 pub fn paint(scene: &Scene, sheet: &Sheet) -> String {
-    let picture = Picture::of(scene, sheet);
+    document(&Picture::of(scene, sheet), &scene.title, &scene.note)
+}
+
+/// Paints a picture as an SVG document with a title and a description for those who cannot see it.
+#[must_use]
+pub fn document(picture: &Picture, title: &str, description: &str) -> String {
     let (width, height) = (number(picture.width), number(picture.height));
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
          role=\"img\" font-family=\"{FONT_FAMILY}\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n"
     );
-    let _ = writeln!(out, "<title>{}</title>", escaped(&scene.title));
-    let _ = writeln!(out, "<desc>{}</desc>", escaped(&scene.note));
+    let _ = writeln!(out, "<title>{}</title>", escaped(title));
+    let _ = writeln!(out, "<desc>{}</desc>", escaped(description));
     let _ = writeln!(
         out,
         "<rect width=\"{width}\" height=\"{height}\"{}/>",

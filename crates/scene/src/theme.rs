@@ -118,6 +118,7 @@ impl Theme {
             }
             Role::WeakPlacement => Style::points(solid(palette.warning), Sign::Diamond(4.5)).hollow(palette),
             Role::FallbackPlacement => Style::points(solid(palette.warning), Sign::Triangle(4.5)),
+            Role::Annotation(annotation) => annotation.style(palette),
             Role::BelievedRobot => {
                 Style::area(solid(palette.room).with_alpha(150), Some((solid(palette.robot), 2.0)))
             }
@@ -266,7 +267,7 @@ mod tests {
                 for text in [palette.ink, palette.muted] {
                     assert!(contrast(Colour::solid(text), ground) >= 4.5, "{theme:?} {text:06x}");
                 }
-                for mark in [palette.door, palette.laser, palette.robot, palette.reference, palette.warning] {
+                for mark in [palette.door, palette.laser, palette.robot, palette.reference, palette.warning, palette.added] {
                     assert!(contrast(Colour::solid(mark), ground) >= 3.0, "{theme:?} {mark:06x}");
                 }
             }

@@ -4,6 +4,7 @@
 //! never sees them. A [`Study`] is an experiment: it plans [`Condition`]s, each of which is driven
 //! with many seeds; every mapper is fed from the same [`Drive`], and what it made of it, a
 //! [`Mapping`], is [`score`]d into one [`Row`]. The [`Outcome`] of all rows is judged by [`Check`]s.
+//! [`figures`] draw what the thesis drew, from new runs.
 //!
 //! ```
 //! use cogmap_study::{Request, Study};
@@ -16,6 +17,7 @@ pub mod calibration;
 mod check;
 mod condition;
 mod drive;
+pub mod figures;
 mod mapping;
 mod measure;
 pub mod metrics;

@@ -3,7 +3,7 @@ use std::fs;
 use crate::workbench::{ROOM, Workbench};
 
 /// Arguments, what the message must name, and the way out that it must show.
-const CASES: [(&str, &str, &str); 44] = [
+const CASES: [(&str, &str, &str); 49] = [
     ("fly", "'fly'", "--help"),
     ("relay room.world.json", "'relay'", "'replay'"),
     ("run", "<WORLD>", "Usage: cogmap run"),

@@ -1,0 +1,51 @@
+use crate::{
+    Colour,
+    palette::Palette,
+    theme::{Sign, Style},
+};
+
+/// What a figure adds to the things themselves, to explain them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Annotation {
+    /// A word beside a thing.
+    Word,
+    /// A length or an angle that is measured.
+    Measure,
+    /// A ring around what is worth a look, or a limit.
+    Ring,
+    /// A surface that was known before.
+    Known,
+    /// A surface that was just added.
+    Added,
+    /// A movement, or a way to go.
+    Movement,
+    /// A line of sight.
+    Sight,
+    /// The edge of a plot.
+    Axis,
+    /// Lines that help to read a plot.
+    Grid,
+    /// A measured curve.
+    Curve,
+    /// A point of a curve that matters.
+    Mark,
+}
+
+impl Annotation {
+    pub(crate) fn style(self, palette: &Palette) -> Style {
+        let solid = Colour::solid;
+        match self {
+            Self::Word => Style::area(solid(palette.ink), None),
+            Self::Measure => Style::line(solid(palette.warning), 1.5),
+            Self::Ring => Style::line(solid(palette.warning), 1.75),
+            Self::Known => Style::line(solid(palette.muted), 2.0),
+            Self::Added => Style::line(solid(palette.added), 3.0),
+            Self::Movement => Style::line(solid(palette.robot), 2.0),
+            Self::Sight => Style::line(solid(palette.laser).with_alpha(150), 1.0),
+            Self::Axis => Style::line(solid(palette.muted), 1.0),
+            Self::Grid => Style::line(solid(palette.hairline), 1.0),
+            Self::Curve => Style::line(solid(palette.robot), 2.0),
+            Self::Mark => Style::points(solid(palette.warning), Sign::Dot(4.5)),
+        }
+    }
+}
