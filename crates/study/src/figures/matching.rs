@@ -1,7 +1,7 @@
 use cogmap_geometry::{DVec2, Pose, Segment};
 use cogmap_mapping::{
     StepReport,
-    memory::{Matching, PairError, pair_error},
+    memory::{Matching, PairError, Tracked, pair_error},
     perception::{End, Surface},
 };
 use cogmap_scene::{Annotation, Item, Panel, Role, Sample, Shape};
@@ -28,13 +28,14 @@ fn sighting(a: [f64; 2], b: [f64; 2]) -> Surface {
         residual: 0.0,
         range: 3.0,
         incidence: 0.2,
+        label: None,
     }
 }
 
 /// Fig. 3.4, and the search that uses the error.
 pub(super) fn pair(runs: &mut Runs) -> Result<Drawing, String> {
     let (first, second) = (sighting([0.0, 0.0], [3.6, 0.35]), sighting([0.3, 0.62], [3.75, 1.45]));
-    let error = pair_error(&second, &first, &Matching::default());
+    let error = pair_error(&second, &Tracked::seen(&first, None), &Matching::default());
     let run = runs.of(&SMALL_BAD)?;
     let (_, journal) = run.mind("transform")?;
     let corrections =

@@ -41,7 +41,7 @@ fn step() -> Result<Step, String> {
 impl Step {
     /// The surfaces of the second view that the first did not see.
     fn new_ones(&self) -> Vec<usize> {
-        let tracked = |surface: &_| Tracked { surface: Clone::clone(surface), known: SurfaceId(0) };
+        let tracked = |surface: &_| Tracked::seen(surface, Some(SurfaceId(0)));
         let previous: Vec<Tracked> = self.first.surfaces.iter().map(tracked).collect();
         let matches =
             match_views(&self.second.surfaces, &previous, moved(TURN, TRAVEL), &Matching::default());
