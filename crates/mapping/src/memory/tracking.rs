@@ -3,7 +3,7 @@ use cogmap_geometry::{Pose, Segment};
 use super::{FrameId, Link, Match, Matching, Mfis, Sighting, StoredSurface, SurfaceId, match_views};
 use crate::{
     PathPoint, Placement, StepReport,
-    perception::{End, Reading, Surface, View},
+    perception::{End, Surface, View},
 };
 
 /// What a view is compared with: a surface of the previous view, and which stored surface it is.
@@ -86,7 +86,8 @@ impl Memory {
         let robot_from_map = self.mfis.place_of(last).inverse();
         let as_stored = |tracked: &Tracked| {
             let stored = self.mfis.get(tracked.known?)?;
-            Some(Tracked { segment: robot_from_map * self.mfis.in_map(stored), ..*tracked })
+            let segment = robot_from_map * self.mfis.in_map(stored);
+            Some(Tracked { segment, ..Tracked::stored(stored) })
         };
         self.previous.iter().filter_map(as_stored).collect()
     }
@@ -154,18 +155,19 @@ impl Memory {
     pub(crate) fn transform(
         &mut self,
         view: View,
-        reading: &Reading,
+        (t, odom_from_robot): (f64, Pose),
         (by, moved): (Placement, Option<Pose>),
         matching: &Matching,
     ) -> StepReport {
-        let matches = self.recognise(&view, moved, matching);
+        let previous = self.previous_as_stored();
+        let matches = moved.map_or(Vec::new(), |moved| match_views(&view.surfaces, &previous, moved, matching));
         let (placement, map_from_robot) = match (moved, self.path.last()) {
             (Some(moved), Some(last)) => (by, last.frame_from_robot * moved),
             _ => (Placement::First, Pose::IDENTITY),
         };
         let placed = self.store_new(&view, &matches, map_from_robot);
-        let step = self.remember_view(reading.t, map_from_robot, reading.odom_from_robot);
-        let report = StepReport::new((step, reading.t), view, placement, map_from_robot);
+        let step = self.remember_view(t, map_from_robot, odom_from_robot);
+        let report = StepReport::new((step, t), view, placement, map_from_robot);
         StepReport { matches, placed, ..report }
     }
 

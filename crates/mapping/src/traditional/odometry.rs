@@ -45,6 +45,6 @@ impl Odometry {
         let view = extract(&reading.scan, &self.params.extraction);
         let moved = self.memory.moved_to(reading.odom_from_robot);
         let by = (Placement::Odometry, moved);
-        Some(self.memory.transform(view, reading, by, &self.params.matching))
+        Some(self.memory.transform(view, (reading.t, reading.odom_from_robot), by, &self.params.matching))
     }
 }

@@ -7,7 +7,7 @@ use super::annealing::{Annealing, Correction, anneal};
 use crate::{
     Cadence, Placement, StepReport,
     memory::{Matching, Memory, Tracked, match_views},
-    perception::{Extraction, Reading, Surface, extract},
+    perception::{Extraction, Reading, Surface, View, extract},
 };
 
 /// Every parameter of the traditional mapper.
@@ -47,17 +47,21 @@ impl Transform {
     }
 
     pub(crate) fn observe(&mut self, reading: &Reading) -> Option<StepReport> {
-        if !self.params.cadence.takes(reading, self.memory.odom_from_last()) {
-            return None;
-        }
-        let view = extract(&reading.scan, &self.params.extraction);
-        let measured = self.memory.moved_to(reading.odom_from_robot);
+        self.params.cadence.takes(reading, self.memory.odom_from_last()).then(|| {
+            let view = extract(&reading.scan, &self.params.extraction);
+            self.integrate(view, reading.t, reading.odom_from_robot)
+        })
+    }
+
+    /// §3.1.2 and §3.1.3 on the surfaces seen when odometry stood at `odom_from_robot`.
+    pub fn integrate(&mut self, view: View, t: f64, odom_from_robot: Pose) -> StepReport {
+        let measured = self.memory.moved_to(odom_from_robot);
         let correction = measured.map(|measured| self.correct(&view.surfaces, measured));
         let moved =
             measured.zip(correction.as_ref()).map(|(measured, c)| moved_by(measured, c.turn, c.travel));
         let by = (Placement::Transform, moved);
-        let report = self.memory.transform(view, reading, by, &self.params.matching);
-        Some(StepReport { correction, ..report })
+        let report = self.memory.transform(view, (t, odom_from_robot), by, &self.params.matching);
+        StepReport { correction, ..report }
     }
 
     /// §3.1.3: the changes of turn and travel that let the current view fit the previous one best.

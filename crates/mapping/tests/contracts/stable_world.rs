@@ -1,67 +1,14 @@
-//! What the theory promises of the map (§2.3, §3.2.1): odometry never reaches it, and nothing that
-//! is stored ever changes.
-
-mod ideal;
-
-use cogmap_geometry::{Pose, Segment, normalize_angle};
+use cogmap_geometry::{Segment, normalize_angle};
 use cogmap_mapping::{
     Placement, StepReport,
     memory::{Perceptual, PerceptualParams, StoredSurface},
 };
 use proptest::prelude::*;
 
-/// A hall with three boxes, and a walk along its free side.
-#[derive(Clone, Debug)]
-struct Walk {
-    walls: Vec<Segment>,
-    world_from_robot: Vec<Pose>,
-    odometry_error: Vec<(f64, f64, f64)>,
-}
-
-prop_compose! {
-    fn any_walk()(
-        depth in 7.0f64..9.0,
-        boxes in prop::collection::vec((-0.5f64..0.5, -0.3f64..0.3, 0.15f64..1.4), 3),
-        turns in prop::collection::vec(-0.35f64..0.35, 12),
-        odometry_error in prop::collection::vec((-0.12f64..0.12, -0.12f64..0.12, -0.03f64..0.03), 12),
-    ) -> Walk {
-        let mut pose = Pose::new(1.0, 2.0, 0.0);
-        let mut world_from_robot = vec![pose];
-        for turn in turns {
-            // Turn, then travel; steer back to the middle of the free side.
-            let steered = Pose::new(0.0, 0.0, turn - 0.6 * pose.heading + 0.3 * (2.0 - pose.position.y));
-            pose = pose * steered * Pose::new(0.7, 0.0, 0.0);
-            world_from_robot.push(pose);
-        }
-        Walk { walls: ideal::hall(14.0, depth, &boxes), world_from_robot, odometry_error }
-    }
-}
-
-impl Walk {
-    /// Maps the walk; `share` of the odometry error is on.
-    fn map(&self, share: f64) -> (Perceptual, Vec<StepReport>) {
-        let mut mapper = Perceptual::new(&PerceptualParams::default());
-        let mut reports = Vec::new();
-        let mut odom_from_robot = Pose::IDENTITY;
-        for (index, &world_from_robot) in self.world_from_robot.iter().enumerate() {
-            if let Some(before) = index.checked_sub(1) {
-                let (x, y, turn) = self.odometry_error[before];
-                let moved = self.world_from_robot[before].from_here(world_from_robot);
-                odom_from_robot = odom_from_robot * moved * Pose::new(x * share, y * share, turn * share);
-            }
-            let view = ideal::view(&self.walls, world_from_robot);
-            reports.push(mapper.integrate(view, 0.0, odom_from_robot));
-        }
-        (mapper, reports)
-    }
-
-    /// How far a stored surface lies from the wall that it is a sighting of, metres.
-    fn distance_from_truth(&self, stored: &StoredSurface) -> f64 {
-        let in_world = self.world_from_robot[0] * stored.segment;
-        let off = |wall: &Segment| wall.distance_to(in_world.a).max(wall.distance_to(in_world.b));
-        self.walls.iter().map(off).fold(f64::INFINITY, f64::min)
-    }
-}
+use crate::{
+    ideal,
+    walk::any_walk,
+};
 
 fn same_matches(a: &[StepReport], b: &[StepReport]) -> bool {
     let pairs =
