@@ -4,14 +4,17 @@
 //! reads the memory and never writes to it: closing a loop changes the network, not the map.
 
 mod asr;
+mod closing;
 mod discovery;
 mod exit;
+mod hypothesis;
 mod nearby;
 mod network;
 mod outline;
 mod overlap;
 mod passage;
 mod recognition;
+mod shape;
 mod sharing;
 mod sight;
 mod trail;
@@ -23,8 +26,10 @@ use cogmap_geometry::{DVec2, Pose};
 use serde::{Deserialize, Serialize};
 
 pub use asr::{Asr, AsrId};
-use discovery::{Newcomer, Pending};
+use closing::{Homecoming, Newcomer};
+use discovery::Pending;
 pub use exit::{Crossing, Exit, ExitId};
+pub use hypothesis::{Gaps, Hypothesis};
 use nearby::Nearby;
 pub use network::Network;
 pub use outline::outline;
@@ -33,6 +38,7 @@ pub use passage::Narrowness;
 pub use recognition::Familiarity;
 use recognition::Sightings;
 use trail::{Sample, Trail};
+use wideness::Chord;
 pub use wideness::{Looking, Wideness};
 
 use crate::{Event, PathPoint, StepReport, memory::Memory};
@@ -62,13 +68,21 @@ pub struct PlacesParams {
     pub overlap: Overlap,
     /// When a new space is an old one by what is seen in it (`recommended`).
     pub familiarity: Familiarity,
+    /// Which gaps seen ahead may be exits (`recommended`).
+    pub gaps: Gaps,
 }
 
 impl PlacesParams {
-    /// Our form with its default numbers.
+    /// The thesis's form, which is the default.
+    #[must_use]
+    pub fn literal() -> Self {
+        Self::default()
+    }
+
+    /// Our form.
     #[must_use]
     pub fn recommended() -> Self {
-        Self { form: Form::Recommended, ..Self::default() }
+        Self { form: Form::Recommended, narrowness: Narrowness::with_jambs(), ..Self::default() }
     }
 }
 
@@ -95,6 +109,7 @@ pub struct Places {
     since: f64,
     pending: Option<Pending>,
     newcomer: Option<Newcomer>,
+    homecoming: Option<Homecoming>,
     /// Metres of way when the robot was last in each space.
     last_in: BTreeMap<AsrId, f64>,
 }
@@ -120,6 +135,7 @@ impl Places {
             since: 0.0,
             pending: None,
             newcomer: None,
+            homecoming: None,
             last_in: BTreeMap::new(),
         }
     }
@@ -140,10 +156,14 @@ impl Places {
             wideness = self.walk(now);
             // … every surface belongs to a space …
             self.share_out(now);
+            if self.params.form == Form::Recommended {
+                self.look_ahead(now);
+            }
             // … and behind an exit begins another, unless it is one that the robot knows.
             events.extend(self.go_through_known(now));
             events.extend(self.go_through_new(now));
             events.extend(self.compare_newcomer(now));
+            events.extend(self.compare_after_recognition(now));
             self.last_in.insert(self.network.current(), self.trail.way());
         }
         PlaceReport { asr: self.network.current(), wideness, events }
@@ -179,10 +199,15 @@ impl Places {
         let mut wideness = Vec::new();
         for stride in self.trail.go_to(here.frame_from_robot.position) {
             let near = self.nearby.surfaces();
-            let chord = wideness::chord_at(stride.at, stride.direction, near, form, &looking);
-            let narrow = chord.width <= narrowness.max_width;
-            let jambs = if narrow { passage::jambs_of(chord.segment, near) } else { 0 };
             let trail::Stride { way, at, direction } = stride;
+            let mut chord = wideness::chord_at(at, direction, near, form, &looking);
+            let mut jambs = 0;
+            if chord.width <= 1.5 * narrowness.max_width {
+                if form == Form::Recommended {
+                    chord = Chord::between(passage::narrowest_near(chord.segment, at, near, looking.debris));
+                }
+                jambs = passage::jambs_of(chord.segment, near);
+            }
             self.watch_known_exits(at - direction * trail::SPACING, at, view);
             self.trail.add(Sample { way, at, direction, view, chord, jambs }, narrowness.memory());
             wideness.push(Wideness { way, width: chord.width, chord: map_from_here * chord.segment });

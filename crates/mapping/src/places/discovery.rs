@@ -3,7 +3,8 @@ use std::collections::BTreeSet;
 use cogmap_geometry::{DVec2, Pose, Segment, trig};
 
 use super::{
-    AsrId, Crossing, Exit, ExitId, Form, Now, Places, overlap,
+    AsrId, Crossing, Exit, ExitId, Form, Now, Places,
+    closing::Newcomer,
     passage::{self, Passage},
 };
 use crate::{Event, memory::SurfaceId};
@@ -22,15 +23,6 @@ pub(super) struct Pending {
     view: usize,
     way: f64,
     pub(super) at: DVec2,
-}
-
-/// A space that was opened not long ago and may turn out to be an old one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Newcomer {
-    asr: AsrId,
-    exit: ExitId,
-    opened: f64,
-    compare_at: f64,
 }
 
 impl Places {
@@ -84,6 +76,9 @@ impl Places {
         for &surface in &behind {
             self.network.assign(surface, into);
         }
+        if self.params.form == Form::Recommended {
+            self.claim(now, segment, (left, into), view + 1);
+        }
         let robot_from_exit = self
             .here_from_robot_at(now.memory, view)
             .map_or(segment, |here_from_robot| here_from_robot.inverse() * segment);
@@ -109,9 +104,8 @@ impl Places {
         let left = self.network.current();
         let behind = self.behind(now.memory, (left, passage.view), passage.segment);
         match self.space_behind(now, &passage, &behind) {
-            Behind::Same => Vec::new(),
-            Behind::Known(asr, overlap) => self.link(now, &passage, (asr, overlap)),
-            Behind::New => self.open(now, &passage),
+            Some(known) => self.link(now, &passage, known),
+            None => self.open(now, &passage),
         }
     }
 
@@ -119,64 +113,31 @@ impl Places {
         let near = self.network.exits().iter().filter_map(|exit| {
             let segment = self.nearby.here_from(exit.frame)? * exit.segment;
             let distance = segment.midpoint().distance(passage.midpoint());
-            let same = distance <= SAME_EXIT && segment.angle_to(passage) <= SAME_TURN;
-            same.then_some((distance, exit.id))
+            is_same_exit(segment, passage).then_some((distance, exit.id))
         });
         near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, exit)| exit)
     }
 
-    fn space_behind(&self, now: Now<'_>, passage: &Passage, behind: &[SurfaceId]) -> Behind {
-        match self.params.form {
-            Form::Literal => match self.overlapped(now, behind, self.network.current()) {
-                Some((asr, share)) => Behind::Known(asr, share),
-                None => Behind::New,
-            },
-            Form::Recommended => self.recognised_behind(passage, behind),
-        }
-    }
-
-    /// Whose surfaces the robot has recognised since it went through.
-    fn recognised_behind(&self, passage: &Passage, behind: &[SurfaceId]) -> Behind {
+    /// The space behind a passage, if the robot knows it, and how much of it says so: where it lies in the
+    /// literal form (§3.2.3), whose surfaces the robot has recognised since it went through in ours.
+    fn space_behind(&self, now: Now<'_>, passage: &Passage, behind: &[SurfaceId]) -> Option<(AsrId, f64)> {
         let left = self.network.current();
-        let new: BTreeSet<SurfaceId> = behind.iter().copied().collect();
-        let tally = self.sightings.tally(passage.view + 1, &self.network, &new);
-        let total: f64 = tally.values().sum();
-        if total <= 0.0 {
-            return Behind::New;
+        match self.params.form {
+            Form::Literal => self.overlapped(now, behind, left),
+            Form::Recommended => {
+                let new: BTreeSet<SurfaceId> = behind.iter().copied().collect();
+                self.sightings
+                    .most(passage.view + 1, &self.network, &new, (left, None))
+                    .filter(|(_, share)| *share >= self.params.familiarity.known)
+            }
         }
-        let share = |asr: Option<AsrId>| tally.get(&asr).copied().unwrap_or(0.0) / total;
-        if share(Some(left)) >= self.params.familiarity.same {
-            return Behind::Same;
-        }
-        let others = tally.keys().flatten().filter(|&&asr| asr != left);
-        let best = others.map(|&asr| (asr, share(Some(asr)))).max_by(|a, b| a.1.total_cmp(&b.1));
-        match best {
-            Some((asr, share)) if share >= self.params.familiarity.known => Behind::Known(asr, share),
-            _ => Behind::New,
-        }
-    }
-
-    /// The old space that some surfaces mostly lie in (§3.2.3), other than the one just left.
-    fn overlapped(&self, now: Now<'_>, surfaces: &[SurfaceId], left: AsrId) -> Option<(AsrId, f64)> {
-        let mfis = now.memory.mfis();
-        let segments: Vec<Segment> =
-            surfaces.iter().filter_map(|&id| mfis.get(id)).map(|surface| mfis.in_map(surface)).collect();
-        let others = self.network.asrs().iter().map(|asr| asr.id).filter(|&asr| asr != left);
-        let shares = others.filter(|&asr| asr != self.network.current() || left == asr).map(|asr| {
-            let way = self.trail.way() - self.last_in.get(&asr).copied().unwrap_or(0.0);
-            let tolerance = self.params.overlap.tolerance_after(way);
-            (asr, overlap::share_within(&segments, &overlap::hull_of(&self.network, mfis, asr), tolerance))
-        });
-        let best = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
-        (best.1 >= self.params.overlap.share).then_some(best)
     }
 
     fn open(&mut self, now: Now<'_>, passage: &Passage) -> Vec<Event> {
         let entrance = entrance_of(passage.segment);
         let asr = self.network.open((now.here.frame, entrance), now.here.step);
         let (exit, moved) = self.join(now, passage, asr);
-        let way = self.trail.way();
-        self.newcomer = Some(Newcomer { asr, exit, opened: way, compare_at: way + 1.0 });
+        self.newcomer = Some(Newcomer::new((asr, exit), passage.view, self.trail.way()));
         vec![exit_event(exit, passage), Event::NewAsr { asr, exit, moved }]
     }
 
@@ -199,45 +160,15 @@ impl Places {
             crossed: passage.view,
             jambs: passage.jambs,
         });
+        self.confirm(passage.segment, exit);
         let moved = self.cross(now, (exit, passage.segment), (passage.view, asr));
         (exit, moved)
     }
-
-    /// Compares a space that was opened not long ago with the old ones: the more of it is known, the
-    /// plainer it is that it is one of them.
-    pub(super) fn compare_newcomer(&mut self, now: Now<'_>) -> Vec<Event> {
-        let way = self.trail.way();
-        let Some(newcomer) = self.newcomer.filter(|newcomer| way >= newcomer.compare_at) else {
-            return Vec::new();
-        };
-        self.newcomer = Some(Newcomer { compare_at: way + 1.0, ..newcomer })
-            .filter(|newcomer| way - newcomer.opened <= self.params.overlap.within);
-        let Newcomer { asr, exit, .. } = newcomer;
-        if self.params.form != Form::Literal || self.network.current() != asr {
-            return Vec::new();
-        }
-        let Some(left) = self.network.exit(exit).and_then(|exit| exit.leads_from(asr)) else {
-            return Vec::new();
-        };
-        let Some((old, overlap)) = self.overlapped(now, self.network.surfaces_of(asr), left) else {
-            return Vec::new();
-        };
-        self.network.merge(asr, old);
-        self.newcomer = None;
-        let percent = 100.0 * overlap;
-        let why = format!("{percent:.0} % of ASR {} lies in ASR {}: the robot is back", asr.0, old.0);
-        vec![Event::LoopClosed { asr: old, instead_of: Some(asr), exit, overlap, why }]
-    }
 }
 
-/// What is behind a passage.
-enum Behind {
-    /// The space that the robot comes from.
-    Same,
-    /// A space that it knows, and how much of it says so.
-    Known(AsrId, f64),
-    /// A space that it does not know.
-    New,
+/// Whether two exits lie at the same place.
+pub(super) fn is_same_exit(one: Segment, other: Segment) -> bool {
+    one.midpoint().distance(other.midpoint()) <= SAME_EXIT && one.angle_to(other) <= SAME_TURN
 }
 
 /// The pose of an entrance: the origin in the exit's middle, x along the normal into the space entered.

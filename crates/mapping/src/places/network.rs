@@ -2,10 +2,11 @@ use std::collections::BTreeMap;
 
 use cogmap_geometry::Pose;
 
-use super::{Asr, AsrId, Crossing, Exit, ExitId};
+use super::{Asr, AsrId, Crossing, Exit, ExitId, Hypothesis};
 use crate::memory::{FrameId, SurfaceId};
 
 mod merge;
+mod outline;
 mod route;
 
 /// The network of local spaces (§2.2.1, Fig. 2.1): nodes are ASRs, edges are exits.
@@ -23,6 +24,7 @@ pub struct Network {
     lasting: BTreeMap<AsrId, AsrId>,
     /// For exits that turned out to be another one: which.
     same_exit: BTreeMap<ExitId, ExitId>,
+    hypotheses: Vec<Hypothesis>,
 }
 
 impl Default for Network {
@@ -38,6 +40,7 @@ impl Default for Network {
             asr_of_step: Vec::new(),
             lasting: BTreeMap::new(),
             same_exit: BTreeMap::new(),
+            hypotheses: Vec::new(),
         };
         network.open((FrameId::default(), Pose::IDENTITY), 0);
         network
@@ -81,6 +84,12 @@ impl Network {
     #[must_use]
     pub fn crossings(&self) -> &[Crossing] {
         &self.crossings
+    }
+
+    /// The exits that were seen ahead, or beside the way, in the order of seeing.
+    #[must_use]
+    pub fn hypotheses(&self) -> &[Hypothesis] {
+        &self.hypotheses
     }
 
     /// The space in which the robot believes to be.
@@ -172,5 +181,21 @@ impl Network {
 
     pub(super) fn note_step(&mut self, views: usize) {
         self.asr_of_step.resize(views, self.current);
+    }
+
+    pub(super) fn suppose(&mut self, hypothesis: Hypothesis) {
+        self.hypotheses.push(hypothesis);
+    }
+
+    pub(super) fn see_again(&mut self, hypothesis: usize) {
+        if let Some(hypothesis) = self.hypotheses.get_mut(hypothesis) {
+            hypothesis.views += 1;
+        }
+    }
+
+    pub(super) fn confirm(&mut self, hypothesis: usize, exit: ExitId) {
+        if let Some(hypothesis) = self.hypotheses.get_mut(hypothesis) {
+            hypothesis.confirmed = Some(exit);
+        }
     }
 }

@@ -59,6 +59,12 @@ fn is_within(point: DVec2, hull: &[DVec2], tolerance: f64) -> bool {
     inside || edges.any(|(&a, &b)| Segment::new(a, b).distance_to(point) <= tolerance)
 }
 
+/// The area of a convex polygon, square metres.
+pub(super) fn area_of(hull: &[DVec2]) -> f64 {
+    let edges = hull.iter().zip(hull.iter().cycle().skip(1));
+    edges.map(|(a, b)| a.perp_dot(*b)).sum::<f64>() / 2.0
+}
+
 /// The corners of the smallest convex polygon around some points, counter-clockwise (Andrew's
 /// monotone chain); fewer than three where they lie on a line.
 pub(super) fn convex_hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
@@ -107,6 +113,7 @@ mod tests {
         let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [1.0, 1.0], [1.0, 0.0]];
         let hull = convex_hull(square.map(DVec2::from).to_vec());
         assert_eq!(hull, [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(DVec2::from));
+        assert!((area_of(&hull) - 4.0).abs() < 1e-12);
     }
 
     #[test]

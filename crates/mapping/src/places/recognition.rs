@@ -10,16 +10,21 @@ use crate::{StepReport, memory::SurfaceId};
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Familiarity {
-    /// Behind a new exit this share of what is seen belongs to another space: the robot is back there.
+    /// Behind a new exit this share of what is recognised belongs to another space, and more of it than to any
+    /// space but the new one: the robot is back there.
     pub known: f64,
-    /// This share belongs to the space that the robot comes from, and was not seen through the exit: the
-    /// passage separates nothing.
-    pub same: f64,
+    /// A space that overlaps with an old one in the map, but is so many times as large, is another.
+    pub larger: f64,
+    /// After the mapper recognised an old place, a newer space of whose outline at least this share lies on
+    /// an older one's is that one (half of it, where what the robot sees lies on the older one) …
+    pub shape: f64,
+    /// … for so many metres of way.
+    pub within: f64,
 }
 
 impl Default for Familiarity {
     fn default() -> Self {
-        Self { known: 0.5, same: 0.5 }
+        Self { known: 0.35, larger: 2.0, shape: 0.4, within: 5.0 }
     }
 }
 
@@ -42,9 +47,14 @@ impl Sightings {
         }
     }
 
+    /// What was recognised since a view.
+    pub(super) fn since(&self, view: usize) -> impl Iterator<Item = SurfaceId> {
+        self.views.iter().filter(move |(step, _)| *step >= view).flat_map(|(_, seen)| seen).map(|(id, _)| *id)
+    }
+
     /// Of what was recognised since a view, metres that belong to each space; the surfaces of `new` belong
     /// to the space that is about to be made, `None`.
-    pub(super) fn tally(
+    fn tally(
         &self,
         since: usize,
         network: &Network,
@@ -56,5 +66,25 @@ impl Sightings {
             *tally.entry(asr).or_insert(0.0) += length;
         }
         tally
+    }
+
+    /// The old space that most of what was recognised since a view belongs to, and its share: neither the space
+    /// that the robot comes from nor the one that it may have just opened, and no less of it than of the first.
+    pub(super) fn most(
+        &self,
+        since: usize,
+        network: &Network,
+        new: &BTreeSet<SurfaceId>,
+        (left, opened): (AsrId, Option<AsrId>),
+    ) -> Option<(AsrId, f64)> {
+        let tally = self.tally(since, network, new);
+        let total: f64 = tally.values().sum();
+        let from_left = tally.get(&Some(left)).copied().unwrap_or(0.0);
+        tally
+            .iter()
+            .filter_map(|(asr, &metres)| Some(((*asr)?, metres)))
+            .filter(|&(asr, metres)| asr != left && Some(asr) != opened && metres >= from_left)
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .map(|(asr, metres)| (asr, metres / total))
     }
 }

@@ -1,3 +1,5 @@
+use std::collections::BTreeSet;
+
 use cogmap_geometry::{DVec2, Segment};
 
 use super::{AsrId, ExitId, Now, Places, sight};
@@ -47,6 +49,28 @@ impl Places {
         match (behind, left) {
             (Some(next), 1..) => self.space_in_sight(next, eye, surface, left - 1),
             _ => asr,
+        }
+    }
+
+    /// Of the surfaces recognised since a view, those of the space left behind that the robot sees from nearer than
+    /// at first sight, and not back through the exit, belong where it is (ours): they had been seen through
+    /// another opening. The thesis's rule of the line of sight (§3.2.2), applied from the other side.
+    pub(super) fn claim(&mut self, now: Now<'_>, exit: Segment, (left, into): (AsrId, AsrId), since: usize) {
+        let here = now.here.frame_from_robot.position;
+        let belongs_here = |id: &SurfaceId| {
+            self.first_sight(now.memory, *id).is_some_and(|(eye, surface)| {
+                surface.distance_to(here) < surface.distance_to(eye)
+                    && !sight::is_behind(exit, here, surface)
+                    && exit
+                        .offset_of(surface.midpoint())
+                        .zip(exit.offset_of(here))
+                        .is_some_and(|(a, b)| a * b > 0.0)
+            })
+        };
+        let recognised = self.sightings.since(since).filter(|&id| self.network.asr_of(id) == Some(left));
+        let claimed: BTreeSet<SurfaceId> = recognised.filter(belongs_here).collect();
+        for surface in claimed {
+            self.network.assign(surface, into);
         }
     }
 

@@ -47,6 +47,11 @@ impl Network {
         for crossing in self.crossings.iter_mut().filter(|crossing| crossing.exit == newer) {
             crossing.exit = older;
         }
+        for confirmed in self.hypotheses.iter_mut().filter_map(|h| h.confirmed.as_mut()) {
+            if *confirmed == newer {
+                *confirmed = older;
+            }
+        }
         for same in self.same_exit.values_mut().filter(|same| **same == newer) {
             *same = older;
         }
