@@ -49,4 +49,4 @@ pub mod traditional;
 pub use cadence::Cadence;
 pub use fallbacks::{FallbackRun, fallback_runs};
 pub use mapper::{Mapper, MapperSetup, PathPoint};
-pub use report::{Event, Placement, Recalled, StepReport};
+pub use report::{Event, Lost, Placement, Recalled, StepReport};

@@ -16,7 +16,9 @@ mod scope;
 mod tracking;
 mod update;
 
-pub use consensus::{Alignment, Consensus, ConsensusParams, Novelty, Reach, Recognition, Search};
+pub use consensus::{
+    Alignment, Consensus, ConsensusParams, FreeSpace, Loss, Novelty, Reach, Recognition, Relocation, Search,
+};
 pub use frames::{Frame, FrameId, Link, LinkKind, Way};
 pub use matching::{Match, Matching, PairError, match_views, pair_error};
 pub(crate) use mfis::Sighting;

@@ -1,6 +1,6 @@
 //! What one step found out and why: everything the Why? panel, the event log and the figures need.
 
-use cogmap_geometry::Pose;
+use cogmap_geometry::{DVec2, Pose};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -29,6 +29,12 @@ pub struct StepReport {
     pub placed: Vec<SurfaceId>,
     /// What placed them.
     pub placement: Placement,
+    /// The direction in the map, a unit vector, in which odometry decided because no recognised surface did.
+    #[serde(default)]
+    pub open: Option<DVec2>,
+    /// That the robot is not where it believed to be; the view is the first of a map of its own.
+    #[serde(default)]
+    pub lost: Option<Lost>,
     /// The place that the robot found itself back in.
     pub recalled: Option<Recalled>,
     /// How the traditional mapper corrected the measured movement.
@@ -45,7 +51,7 @@ pub struct StepReport {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Placement {
-    /// The first view: it defines the map's frame.
+    /// The first view, or the first after the robot was lost: it defines a frame.
     First,
     /// A reference target; no odometry value entered the map.
     Reference,
@@ -70,6 +76,27 @@ pub struct Recalled {
     pub left: FrameId,
     /// Metres that the robot followed the guess before it believed it.
     pub way: f64,
+}
+
+/// The robot noticed that it was moved unseen (or lost its way altogether).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Lost {
+    /// The place where it believed to be.
+    pub left: FrameId,
+    /// The share of the view that fitted there.
+    pub matched: f64,
+    /// The share of the beams that contradicted what was seen free there just before.
+    pub contradiction: f64,
+}
+
+impl Lost {
+    fn why(&self) -> String {
+        format!(
+            "{:.0} % of what the robot sees contradicts what it had just seen, and only {:.0} % fits: it was moved unseen; what it maps from now on has no link to what was before",
+            100.0 * self.contradiction,
+            100.0 * self.matched
+        )
+    }
 }
 
 /// Something worth a line in `events.jsonl` and a mark on the timeline.
@@ -112,6 +139,16 @@ pub enum Event {
     OdometryUsed {
         /// How many surfaces were recognised.
         matches: usize,
+        /// The direction in the map, a unit vector; none where it is the heading, or several.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        along: Option<[f64; 2]>,
+        /// One sentence for people.
+        why: String,
+    },
+    /// The robot noticed that it is not where it believed to be.
+    Lost {
+        /// The place where it believed to be.
+        left: FrameId,
         /// One sentence for people.
         why: String,
     },
@@ -167,6 +204,8 @@ impl StepReport {
             stored: true,
             placed: Vec::new(),
             placement,
+            open: None,
+            lost: None,
             recalled: None,
             correction: None,
             place: None,
@@ -188,10 +227,12 @@ impl StepReport {
             }
             (Placement::PartlyOdometry, _) => events.push(Event::OdometryUsed {
                 matches: self.matches.len(),
+                along: self.open.map(Into::into),
                 why: "the recognised surfaces leave a direction open, as in a corridor".to_owned(),
             }),
             _ => {}
         }
+        events.extend(self.lost.map(|lost| Event::Lost { left: lost.left, why: lost.why() }));
         if !self.placed.is_empty() {
             events.push(Event::Placed { surfaces: self.placed.clone() });
         }

@@ -80,7 +80,7 @@ impl Body {
         let bounded = |value: f64, most: f64| if value.is_finite() { value.clamp(-most, most) } else { 0.0 };
         self.patience = PATIENCE;
         self.task = match command {
-            Command::Stop => Task::Rest,
+            Command::Stop | Command::Kidnap { .. } => Task::Rest,
             Command::Drive { linear, angular } => {
                 let angular = bounded(angular, self.params.max_turn_rate);
                 Task::Drive([bounded(linear, self.params.max_speed), angular])
@@ -89,6 +89,16 @@ impl Body {
                 Task::Prepare([bounded(travel, TRAVEL_MAX), bounded(turn, TURN_MAX)])
             }
         };
+    }
+
+    /// Someone sets it down elsewhere, at rest; refused where it does not fit.
+    pub fn kidnap(&mut self, world_from_robot: Pose, obstacles: &Obstacles) {
+        let Pose { position, heading } = world_from_robot;
+        let real = position.is_finite() && heading.is_finite();
+        if real && obstacles.nearest(position, self.params.radius).is_none() {
+            self.world_from_robot = world_from_robot;
+            (self.speed, self.task, self.touching) = ([0.0; 2], Task::Rest, None);
+        }
     }
 
     /// Where it truly is.

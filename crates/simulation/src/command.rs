@@ -20,6 +20,15 @@ pub enum Command {
     },
     /// Come to rest, whatever was going on.
     Stop,
+    /// Be picked up and set down at rest elsewhere: the wheels do not turn, so odometry does not notice.
+    /// Refused where the robot does not fit.
+    Kidnap {
+        /// Where its middle is set down, metres.
+        position: [f64; 2],
+        /// Degrees, counter-clockwise from the x axis.
+        #[serde(default)]
+        heading_deg: f64,
+    },
 }
 
 /// A command and the tick at whose beginning it takes effect.

@@ -6,29 +6,49 @@
 //! where to begin looking, and decides only in directions that no reference determines; each such
 //! use is an event.
 
+mod ablation;
 mod alignment;
 mod candidates;
+mod hypothesis;
 mod information;
+mod known;
 mod line;
+mod look;
+mod lost;
 mod novelty;
 mod recall;
+mod recognition;
+mod relocation;
 mod search;
 mod surroundings;
+
+use std::collections::VecDeque;
 
 use cogmap_geometry::{Pose, trig};
 use serde::{Deserialize, Serialize};
 
 pub use self::{
-    alignment::Alignment, novelty::Novelty, recall::Recognition, search::Search, surroundings::Reach,
+    alignment::Alignment, look::FreeSpace, lost::Loss, novelty::Novelty, recognition::Recognition,
+    relocation::Relocation, search::Search, surroundings::Reach,
 };
-use self::{alignment::Fit, line::Line, recall::Recall, surroundings::Surroundings};
+use self::{
+    alignment::Fit,
+    hypothesis::{Remembered, Rules, Sight},
+    line::Line,
+    look::{Agreement, Look},
+    recall::Recall,
+    surroundings::Surroundings,
+};
 use super::{FrameId, Link, LinkKind, Memory, Sighting, SurfaceId};
 use crate::{
     Placement, StepReport,
     perception::{Extraction, Reading, View, extract},
     places::PlacesParams,
-    report::Recalled,
+    report::{Lost, Recalled},
 };
+
+/// So many looks back a view must bear out what was seen free.
+const RECENT: usize = 3;
 
 /// Every parameter of the consensus mapper.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -44,6 +64,10 @@ pub struct ConsensusParams {
     pub reach: Reach,
     /// What of a view is new.
     pub novelty: Novelty,
+    /// When what two scans saw of free space contradicts itself.
+    pub free_space: FreeSpace,
+    /// When the robot notices that it was moved unseen.
+    pub loss: Loss,
     /// How a place known before is found again.
     pub recognition: Recognition,
     /// How the map is shared out among local spaces.
@@ -64,6 +88,8 @@ impl Default for ConsensusParams {
             search: Search::default(),
             reach: Reach::default(),
             novelty: Novelty::default(),
+            free_space: FreeSpace::default(),
+            loss: Loss::default(),
             recognition: Recognition::default(),
             places: PlacesParams::recommended(),
             place_distance: 0.2,
@@ -82,6 +108,10 @@ pub struct Consensus {
     frame_from_robot: Pose,
     frame_from_last_placing: Pose,
     steps_lost: u32,
+    /// Views in a row that cannot have been taken where the robot believes to be.
+    doubted: u32,
+    /// What was seen free just before, in the robot's frame, oldest first.
+    recent: VecDeque<Look>,
     surroundings: Surroundings,
     recall: Recall,
 }
@@ -97,6 +127,8 @@ impl Consensus {
             frame_from_robot: Pose::IDENTITY,
             frame_from_last_placing: Pose::IDENTITY,
             steps_lost: 0,
+            doubted: 0,
+            recent: VecDeque::new(),
             surroundings: Surroundings::default(),
             recall: Recall::default(),
         }
@@ -111,26 +143,30 @@ impl Consensus {
     /// Every reading counts: the robot locates itself in each, and places surfaces now and then.
     pub(crate) fn observe(&mut self, reading: &Reading) -> StepReport {
         let view = extract(&reading.scan, &self.params.extraction);
-        let lines = line::of_view(&view.surfaces);
+        let (lines, look) = (line::of_view(&view.surfaces), Look::of(&reading.scan));
+        let sight = Sight { lines: &lines, look: &look };
         let moved = self.memory.moved_to(reading.odom_from_robot);
-        let fit = moved.map(|moved| self.locate(&lines, moved));
+        let mut fit = moved.map(|moved| self.locate(sight, moved));
+        let lost = self.notice_loss(sight, &mut fit);
         let (mut placed, mut recalled) = (Vec::new(), None);
-        let stored = self.time_to_place();
+        let stored = self.doubted == 0 && (fit.is_none() || self.time_to_place());
         if stored {
-            placed = self.place(&view, &lines);
-            recalled = self.recognise(&lines);
+            placed = self.place(&view, sight);
+            recalled = self.recognise(sight);
         }
         self.settle();
         let report = self.close(reading, view, fit);
-        StepReport { stored, placed, recalled, ..report }
+        StepReport { stored, placed, recalled, lost, ..report }
     }
 
     /// Begins where odometry puts the robot and lays the view onto what is remembered around there.
-    fn locate(&mut self, lines: &[Line], moved: Pose) -> Fit {
+    fn locate(&mut self, sight: Sight<'_>, moved: Pose) -> Fit {
         let predicted = self.frame_from_robot * moved;
         self.recall.carry(moved);
         let known = self.surroundings.lines();
-        let fit = search::locate(lines, known, predicted, self.steps_lost, &self.params);
+        let contradiction = |pose| self.agreement(sight.look, pose).contradiction();
+        let start = (predicted, self.steps_lost);
+        let fit = search::locate(sight.lines, known, start, contradiction, &self.params);
         if fit.fraction < self.params.search.lost_below {
             self.frame_from_robot = predicted;
             self.steps_lost += 1;
@@ -141,6 +177,39 @@ impl Consensus {
         fit
     }
 
+    /// How far a look bears out what was seen free just before.
+    fn agreement(&self, look: &Look, pose: Pose) -> Agreement {
+        let look = look.seen_from(pose);
+        self.recent.iter().map(|recent| recent.agreement(&look, &self.params.free_space)).sum()
+    }
+
+    /// A view that contradicts what was just seen was not taken where the robot believes to be. It is
+    /// not mapped; after some of them the robot knows that it was moved unseen, and begins a map that
+    /// has no link to the first.
+    fn notice_loss(&mut self, sight: Sight<'_>, fit: &mut Option<Fit>) -> Option<Lost> {
+        let Fit { fraction, .. } = *fit.as_ref()?;
+        let loss = &self.params.loss;
+        let look_closer = loss.on && (self.doubted > 0 || fraction < loss.fraction);
+        let agreement =
+            look_closer.then(|| self.agreement(sight.look, self.frame_from_robot)).unwrap_or_default();
+        if !loss.doubts(self.doubted > 0, agreement) {
+            self.doubted = 0;
+            return None;
+        }
+        self.doubted += 1;
+        if self.doubted < loss.views {
+            return None;
+        }
+        let map_from_robot = self.memory.mfis().map_from_frame(self.frame) * self.frame_from_robot;
+        let left = self.frame;
+        let opened = self.memory.open_frame(map_from_robot);
+        self.recent.clear();
+        self.enter(opened, self.frame_from_robot);
+        self.recall.lose(opened);
+        (self.doubted, self.steps_lost, *fit) = (0, 0, None);
+        Some(Lost { left, matched: fraction, contradiction: agreement.contradiction() })
+    }
+
     fn time_to_place(&self) -> bool {
         let since = self.frame_from_last_placing.from_here(self.frame_from_robot);
         self.memory.path().is_empty()
@@ -149,10 +218,10 @@ impl Consensus {
     }
 
     /// Freezes what is new, in the frame of the place where the robot is.
-    fn place(&mut self, view: &View, lines: &[Line]) -> Vec<SurfaceId> {
+    fn place(&mut self, view: &View, sight: Sight<'_>) -> Vec<SurfaceId> {
         let (frame, step) = (self.frame, self.memory.path().len());
         let mut placed = Vec::new();
-        for line in lines {
+        for line in sight.lines {
             let in_frame = line.seen_from(self.frame_from_robot);
             if !novelty::is_new(&in_frame, self.surroundings.lines(), &self.params.novelty) {
                 continue;
@@ -165,17 +234,21 @@ impl Consensus {
             placed.push(id);
         }
         self.frame_from_last_placing = self.frame_from_robot;
+        let look = sight.look.seen_from(self.frame_from_robot);
+        self.surroundings.keep(frame, &look);
+        if self.recent.len() == RECENT {
+            self.recent.pop_front();
+        }
+        self.recent.push_back(look);
         placed
     }
 
     /// Tracks whether the robot may be back in an old place, and goes over to it when sure.
-    fn recognise(&mut self, lines: &[Line]) -> Option<Recalled> {
-        let place = self.recall.consider(
-            lines,
-            (self.frame, self.frame_from_robot),
-            (self.memory.mfis(), &self.surroundings),
-            (&self.params.recognition, &self.params.alignment),
-        )?;
+    fn recognise(&mut self, sight: Sight<'_>) -> Option<Recalled> {
+        let ConsensusParams { recognition, alignment, free_space, .. } = &self.params;
+        let remembered = Remembered { mfis: self.memory.mfis(), surroundings: &self.surroundings };
+        let rules = Rules { recognition, alignment, free_space };
+        let place = self.recall.consider(sight, (self.frame, self.frame_from_robot), remembered, rules)?;
         let recalled = Recalled { frame: place.frame, left: self.frame, way: place.way };
         let old_from_current = place.frame_from_robot * self.frame_from_robot.inverse();
         self.link(place.frame, self.frame, old_from_current, LinkKind::Recognised);
@@ -212,6 +285,9 @@ impl Consensus {
         let frame_from_current = current_from_frame.inverse();
         self.frame_from_robot = frame_from_current * self.frame_from_robot;
         self.frame_from_last_placing = frame_from_current * self.frame_from_last_placing;
+        for look in &mut self.recent {
+            *look = look.seen_from(frame_from_current);
+        }
         self.frame = frame;
         self.surroundings.centre_on(self.memory.mfis(), frame, &self.params.reach);
     }
@@ -221,13 +297,17 @@ impl Consensus {
         let placement = match &fit {
             None => Placement::First,
             Some(fit) if fit.fraction < self.params.search.lost_below => Placement::Odometry,
+            Some(_) if self.doubted > 0 => Placement::Odometry,
             Some(fit) if fit.rank < 3 => Placement::PartlyOdometry,
             Some(_) => Placement::Consensus,
         };
-        let map_from_robot = self.memory.mfis().map_from_frame(self.frame) * self.frame_from_robot;
+        let map_from_frame = self.memory.mfis().map_from_frame(self.frame);
+        let open = fit.as_ref().and_then(|fit| fit.open).map(|open| map_from_frame.rotate(open));
+        let map_from_robot = map_from_frame * self.frame_from_robot;
         let here = (self.frame, self.frame_from_robot);
         let step = self.memory.remember(reading.t, here, reading.odom_from_robot);
         let report = StepReport::new((step, reading.t), view, placement, map_from_robot);
-        StepReport { matches: fit.map_or(Vec::new(), |fit| fit.matches), ..report }
+        let open = open.filter(|_| placement == Placement::PartlyOdometry);
+        StepReport { open, matches: fit.map_or(Vec::new(), |fit| fit.matches), ..report }
     }
 }

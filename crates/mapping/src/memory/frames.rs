@@ -1,4 +1,7 @@
-use std::collections::BTreeMap;
+use std::{
+    cmp::Ordering,
+    collections::{BTreeMap, BinaryHeap},
+};
 
 use cogmap_geometry::Pose;
 use serde::{Deserialize, Serialize};
@@ -98,12 +101,9 @@ impl Frames {
     /// The shortest ways along the links to every frame within `reach` metres (Dijkstra).
     pub(super) fn ways_from(&self, start: FrameId, reach: f64) -> BTreeMap<FrameId, Way> {
         let mut done: BTreeMap<FrameId, Way> = BTreeMap::new();
-        let mut open = vec![(start, Way { here_from_frame: Pose::IDENTITY, length: 0.0 })];
-        let nearest = |open: &[(FrameId, Way)]| {
-            (0..open.len()).min_by(|&a, &b| open[a].1.length.total_cmp(&open[b].1.length))
-        };
-        while let Some(next) = nearest(&open) {
-            let (frame, way) = open.swap_remove(next);
+        let here = Way { here_from_frame: Pose::IDENTITY, length: 0.0 };
+        let mut open = BinaryHeap::from([Open { way: here, frame: start }]);
+        while let Some(Open { way, frame }) = open.pop() {
             if done.contains_key(&frame) {
                 continue;
             }
@@ -111,10 +111,37 @@ impl Frames {
             for &(to, frame_from_to) in self.neighbours.get(frame.0 as usize).map_or(&[][..], Vec::as_slice) {
                 let length = way.length + frame_from_to.position.length();
                 if length <= reach && !done.contains_key(&to) {
-                    open.push((to, Way { here_from_frame: way.here_from_frame * frame_from_to, length }));
+                    let way = Way { here_from_frame: way.here_from_frame * frame_from_to, length };
+                    open.push(Open { way, frame: to });
                 }
             }
         }
         done
     }
 }
+
+/// A frame to go on from: the nearest is the greatest.
+struct Open {
+    way: Way,
+    frame: FrameId,
+}
+
+impl Ord for Open {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.way.length.total_cmp(&self.way.length).then(other.frame.cmp(&self.frame))
+    }
+}
+
+impl PartialOrd for Open {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Open {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Open {}

@@ -114,8 +114,12 @@ impl Drive {
             self.body.command(timed.command);
             self.motion = match timed.command {
                 Command::Step { .. } => Motion::Stepping,
-                Command::Drive { .. } | Command::Stop => Motion::Rolling,
+                Command::Drive { .. } | Command::Stop | Command::Kidnap { .. } => Motion::Rolling,
             };
+            if let Command::Kidnap { position: [x, y], heading_deg } = timed.command {
+                let set_down = Pose::new(x, y, heading_deg.to_radians());
+                self.body.kidnap(set_down, &self.stage.obstacles);
+            }
             self.next_command += 1;
         }
     }

@@ -76,7 +76,7 @@ impl SessionRecord {
         let Source::World { commands, ticks, .. } = &mut self.source else { return false };
         commands.retain(|timed| timed.tick < tick);
         *ticks = tick;
-        let holds = !matches!(command, Command::Step { .. })
+        let holds = !matches!(command, Command::Step { .. } | Command::Kidnap { .. })
             && commands.last().is_some_and(|last| last.command == command);
         if !holds {
             commands.push(TimedCommand { tick, command });

@@ -123,3 +123,27 @@ fn velocities_that_hold_are_not_written_down_again() {
     }
     assert_eq!(session.record().commands().len(), 1);
 }
+
+#[test]
+fn a_robot_that_is_moved_unseen_is_elsewhere_and_its_odometry_does_not_notice() {
+    let mut session = Session::drive(record()).unwrap();
+    session.command(Command::Step { turn: 0.4, travel: 0.7 });
+    run_to_rest(&mut session);
+    let (odometry, scans) = (session.odom_from_robot(), session.journal().odometry.len());
+    session.command(Command::Kidnap { position: [4.0, 1.0], heading_deg: 90.0 });
+    session.advance();
+    assert_eq!(session.odom_from_robot(), odometry);
+    assert_eq!(session.journal().odometry.len(), scans, "it does not look either");
+    let there = session.world_from_robot().unwrap();
+    assert_eq!((there.position, there.heading), ((4.0, 1.0).into(), cogmap_geometry::trig::FRAC_PI_2));
+    session.command(Command::Kidnap { position: [4.0, 4.0], heading_deg: 0.0 });
+    session.advance();
+    session.command(Command::Kidnap { position: [f64::NAN, 4.0], heading_deg: 0.0 });
+    session.advance();
+    assert_eq!(session.world_from_robot(), Some(there), "nobody sets it down on a box");
+    session.command(Command::Step { turn: 0.1, travel: 0.3 });
+    run_to_rest(&mut session);
+    let mut again = Session::drive(session.record().clone()).unwrap();
+    again.jump(session.position());
+    assert_eq!(print(&session), print(&again));
+}

@@ -1,7 +1,11 @@
 use cogmap_geometry::{DVec2, Pose, trig};
 use serde::{Deserialize, Serialize};
 
-use super::{candidates::Candidates, information::Information, line::Line};
+use super::{
+    candidates::Candidates,
+    information::{Information, Step},
+    line::Line,
+};
 use crate::{
     memory::{Match, PairError, SurfaceId},
     perception::End,
@@ -19,8 +23,15 @@ pub struct Alignment {
     pub gate_floor: f64,
     /// What the gate of the angle shrinks to, radians.
     pub gate_angle_floor: f64,
-    /// Steps of Gauss and Newton at most.
+    /// Steps of Gauss and Newton at most, each with lines paired anew …
     pub iterations: usize,
+    /// … and with the last pairs, until the pose is where they want it, whatever it began with.
+    pub refinements: usize,
+    /// Whether all pairs speak together, or only the longest.
+    pub all_references: bool,
+    /// A residual this many times its variance, squared, counts half: what lies far off is likely
+    /// something else.
+    pub doubt: f64,
     /// A direction of the pose counts as determined from this much information on, 1/m² …
     pub information: f64,
     /// … and from this share of the best determined direction's: walls that are almost parallel do
@@ -44,6 +55,9 @@ impl Default for Alignment {
             gate_floor: 0.12,
             gate_angle_floor: 5.0 * trig::PI / 180.0,
             iterations: 10,
+            refinements: 20,
+            all_references: true,
+            doubt: 6.0,
             information: 100.0,
             information_share: 0.01,
             model_error: 0.02,
@@ -64,6 +78,8 @@ pub(super) struct Fit {
     pub(super) fraction: f64,
     /// How many directions of the pose the pairs determine, 0 to 3.
     pub(super) rank: usize,
+    /// The direction in which the pairs leave the robot's place open, if that is one and not its heading.
+    pub(super) open: Option<DVec2>,
     /// The pairs.
     pub(super) matches: Vec<Match>,
 }
@@ -75,8 +91,14 @@ struct Gate {
     angle: f64,
 }
 
-/// A line of the view where it is placed, the remembered one, and the part of it beside that.
+/// A pose changes less than this in a step when it has settled, metres; the pairs stay from then on …
+const SETTLED: f64 = 1e-3;
+/// … until it changes less than this.
+const STILL: f64 = 1e-10;
+
+/// A line of the view, the remembered one, and the part of the first that lies beside the second.
 struct Pair<'a> {
+    seen: &'a Line,
     placed: Line,
     known: &'a Line,
     from: f64,
@@ -84,28 +106,53 @@ struct Pair<'a> {
 }
 
 /// Robustly finds the pose near `start` in which the view lies best on the remembered lines. `slack`
-/// widens the gates, metres: a robot that was lost does not know well where to look.
+/// widens the gates, metres: a robot that was lost does not well know where to look.
 pub(super) fn align(view: &[Line], near: &Candidates, start: Pose, slack: f64, params: &Alignment) -> Fit {
-    let (mut pose, mut rank) = (start, 0);
-    for iteration in 0..params.iterations {
-        let information = gather(view, near, pose, gate_of(iteration, slack, params), params);
-        let (step, directions) = information.step(params.information, params.information_share);
-        rank = directions;
-        let [x, y, turn] = step;
-        pose = Pose::new(pose.position.x + x, pose.position.y + y, pose.heading + turn / params.lever);
-        if iteration >= 3 && x.abs() + y.abs() + turn.abs() < 1e-5 {
+    let mut pose = start;
+    let mut iteration = 0;
+    let mut gate = gate_of(iteration, slack, params);
+    let mut pairs = pair_up(view, near, pose, gate, params);
+    while iteration < params.iterations {
+        let moved = step(&pairs, &mut pose, gate, params).by.iter().map(|x| x.abs()).sum::<f64>();
+        iteration += 1;
+        if iteration > 3 && moved < SETTLED {
+            break;
+        }
+        gate = gate_of(iteration, slack, params);
+        pairs = pair_up(view, near, pose, gate, params);
+    }
+    let mut last = Step { by: [0.0; 3], rank: 0, open: None };
+    for _ in 0..params.refinements.max(1) {
+        pairs.iter_mut().for_each(|pair| pair.place(pose));
+        last = step(&pairs, &mut pose, gate, params);
+        if last.by.iter().all(|x| x.abs() < STILL) {
             break;
         }
     }
+    fit(view, near, pose, last, params)
+}
+
+/// Moves the pose by one step of Gauss and Newton.
+fn step(pairs: &[Pair<'_>], pose: &mut Pose, gate: Gate, params: &Alignment) -> Step {
+    let step = gather(pairs, *pose, gate, params).step(params.information, params.information_share);
+    let [x, y, turn] = step.by;
+    *pose = Pose::new(pose.position.x + x, pose.position.y + y, pose.heading + turn / params.lever);
+    step
+}
+
+fn fit(view: &[Line], near: &Candidates, pose: Pose, step: Step, params: &Alignment) -> Fit {
     let gate = Gate { distance: params.gate_floor, angle: params.gate_angle_floor };
-    let pairs = pair_up(view, near, pose, gate);
+    let pairs = pair_up(view, near, pose, gate, params);
     let total: f64 = view.iter().map(|line| line.length).sum();
     let covered = |(index, line): (usize, &Line)| {
         line.seen_from(pose).covered_by(near.of(index), gate.distance, gate.angle)
     };
     let matched: f64 = view.iter().enumerate().map(covered).sum();
     let fraction = if total > 0.0 { matched / total } else { 0.0 };
-    Fit { pose, matched, fraction, rank, matches: pairs.iter().map(Pair::as_match).collect() }
+    let open = step.open.filter(|_| step.rank == 2).map(|[x, y, _]| DVec2::new(x, y));
+    let open = open.filter(|open| open.length() > 0.5).map(DVec2::normalize_or_zero);
+    let matches = pairs.iter().map(Pair::as_match).collect();
+    Fit { pose, matched, fraction, rank: step.rank, open, matches }
 }
 
 fn gate_of(iteration: usize, slack: f64, params: &Alignment) -> Gate {
@@ -116,45 +163,57 @@ fn gate_of(iteration: usize, slack: f64, params: &Alignment) -> Gate {
     }
 }
 
-fn pair_up<'a>(view: &[Line], near: &'a Candidates, pose: Pose, gate: Gate) -> Vec<Pair<'a>> {
-    view.iter()
-        .enumerate()
-        .filter_map(|(index, line)| partner(line.seen_from(pose), near.of(index), gate))
-        .collect()
+fn pair_up<'a>(
+    view: &'a [Line],
+    near: &'a Candidates,
+    pose: Pose,
+    gate: Gate,
+    params: &Alignment,
+) -> Vec<Pair<'a>> {
+    let with_partner = |(index, line): (usize, &'a Line)| partner(line, pose, near.of(index), gate);
+    let pairs = view.iter().enumerate().filter_map(with_partner);
+    if params.all_references {
+        return pairs.collect();
+    }
+    pairs.max_by(|a, b| (a.to - a.from).total_cmp(&(b.to - b.from))).into_iter().collect()
 }
 
-/// The remembered line that a placed one fits best: near, parallel, and long beside it.
-fn partner(placed: Line, near: &[Line], gate: Gate) -> Option<Pair<'_>> {
+/// The remembered line that a line of the view fits best: near, parallel, and long beside it.
+fn partner<'a>(seen: &'a Line, pose: Pose, near: &'a [Line], gate: Gate) -> Option<Pair<'a>> {
+    let placed = seen.seen_from(pose);
     let mut best: Option<(f64, Pair<'_>)> = None;
     for known in near {
         let turn = placed.turn_to(known);
+        if turn > gate.angle {
+            continue;
+        }
         let Some((gap, from, to)) = placed.gap(known) else { continue };
         let too_short = to - from < (0.3 * placed.length).min(0.3);
-        if turn > gate.angle || gap > gate.distance || too_short {
+        if gap > gate.distance || too_short {
             continue;
         }
         let misfit = (gap / gate.distance + turn / gate.angle + 0.2) / (to - from).min(2.0);
         if best.as_ref().is_none_or(|(least, _)| misfit < *least) {
-            best = Some((misfit, Pair { placed, known, from, to }));
+            best = Some((misfit, Pair { seen, placed, known, from, to }));
         }
     }
     best.map(|(_, pair)| pair)
 }
 
-fn gather(view: &[Line], near: &Candidates, pose: Pose, gate: Gate, params: &Alignment) -> Information {
+fn gather(pairs: &[Pair<'_>], pose: Pose, gate: Gate, params: &Alignment) -> Information {
     let mut information = Information::default();
-    for pair in pair_up(view, near, pose, gate) {
-        let Pair { placed, known, from, to } = &pair;
+    for pair in pairs {
+        let Pair { placed, known, from, to, .. } = pair;
         let variance = placed.variance + known.variance + params.model_error * params.model_error;
         for at in [*from, *to] {
             let point = placed.point(at);
             let measured = Measured { normal: known.along.perp(), residual: known.across(point), variance };
-            measured.add_to(&mut information, point - pose.position, params.lever);
+            measured.add_to(&mut information, point - pose.position, params);
         }
         for (end, residual) in pair.shared_true_ends(gate, params) {
             let sigma = params.end_error + placed.spacing + known.spacing;
             let measured = Measured { normal: known.along, residual, variance: sigma * sigma };
-            measured.add_to(&mut information, placed.end(end) - pose.position, params.lever);
+            measured.add_to(&mut information, placed.end(end) - pose.position, params);
         }
     }
     information
@@ -169,14 +228,22 @@ struct Measured {
 
 impl Measured {
     /// Weighs it robustly: what lies far off is likely something else.
-    fn add_to(&self, information: &mut Information, arm: DVec2, lever: f64) {
-        let gradient = [self.normal.x, self.normal.y, self.normal.dot(arm.perp()) / lever];
-        let doubt = 1.0 + self.residual * self.residual / (6.0 * self.variance);
+    fn add_to(&self, information: &mut Information, arm: DVec2, params: &Alignment) {
+        let gradient = [self.normal.x, self.normal.y, self.normal.dot(arm.perp()) / params.lever];
+        let doubt = 1.0 + self.residual * self.residual / (params.doubt * self.variance);
         information.add(gradient, self.residual, 1.0 / (self.variance * doubt));
     }
 }
 
 impl Pair<'_> {
+    /// The robot is there: so its line is elsewhere, and another part of it lies beside the known one.
+    fn place(&mut self, pose: Pose) {
+        self.placed = self.seen.seen_from(pose);
+        if let Some((from, to)) = self.placed.beside(self.known) {
+            (self.from, self.to) = (from, to);
+        }
+    }
+
     /// The ends that both saw as true ends, with their distance along the line.
     fn shared_true_ends(&self, gate: Gate, params: &Alignment) -> impl Iterator<Item = (usize, f64)> {
         (0..2).filter_map(move |end| {

@@ -1,6 +1,6 @@
 use cogmap_geometry::{Pose, trig};
 
-use super::line::Line;
+use super::{known::Known, line::Line};
 
 /// For each line of a view the remembered ones that it could be, near a pose: found once, so that
 /// the steps of an alignment look at a handful each.
@@ -12,14 +12,14 @@ pub(super) struct Candidates {
 }
 
 impl Candidates {
-    pub(super) fn around(view: &[Line], known: &[Line], pose: Pose, reach: f64, angle: f64) -> Self {
+    pub(super) fn around(view: &[Line], known: &Known, pose: Pose, reach: f64, angle: f64) -> Self {
         let mut of_line = Vec::with_capacity(view.len());
         let (mut possible, mut total) = (0.0, 0.0);
         let parallel = trig::cos(angle);
         for line in view {
             let placed = line.seen_from(pose);
             let near: Vec<Line> = known
-                .iter()
+                .facing(placed.heading, angle)
                 .filter(|other| placed.along.dot(other.along) >= parallel && within(&placed, other, reach))
                 .copied()
                 .collect();

@@ -1,5 +1,15 @@
 //! What a set of measurements knows about a pose: a 3 × 3 matrix and its principal directions.
 
+/// A step of Gauss and Newton.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Step {
+    pub(super) by: [f64; 3],
+    /// How many directions of the pose are determined.
+    pub(super) rank: usize,
+    /// A direction that is not.
+    pub(super) open: Option<[f64; 3]>,
+}
+
 /// Sum of weighted outer products, and the step that they ask for.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Information {
@@ -19,22 +29,23 @@ impl Information {
     }
 
     /// The Gauss–Newton step within the directions that are known better than `least`, and better
-    /// than that share of the best known one; and how many they are.
-    pub(super) fn step(&self, least: f64, share: f64) -> ([f64; 3], usize) {
+    /// than that share of the best known one.
+    pub(super) fn step(&self, least: f64, share: f64) -> Step {
         let (values, vectors) = eigen(self.matrix);
         let least = least.max(share * values.into_iter().fold(0.0, f64::max));
-        let mut step = [0.0; 3];
-        let mut rank = 0;
+        let mut step = Step { by: [0.0; 3], rank: 0, open: None };
         for (value, vector) in values.into_iter().zip(vectors) {
             if value > least {
-                rank += 1;
+                step.rank += 1;
                 let along: f64 = (0..3).map(|i| vector[i] * self.pull[i]).sum::<f64>() / value;
                 for i in 0..3 {
-                    step[i] += vector[i] * along;
+                    step.by[i] += vector[i] * along;
                 }
+            } else {
+                step.open = Some(vector);
             }
         }
-        (step, rank)
+        step
     }
 }
 
@@ -97,8 +108,9 @@ mod tests {
         let mut information = Information::default();
         information.add([1.0, 0.0, 0.0], 0.5, 1000.0);
         information.add([0.0, 0.0, 1.0], -0.1, 1000.0);
-        let (step, rank) = information.step(100.0, 0.01);
+        let Step { by, rank, open } = information.step(100.0, 0.01);
         assert_eq!(rank, 2);
-        assert!((step[0] + 0.5).abs() < 1e-12 && step[1].abs() < 1e-12 && (step[2] - 0.1).abs() < 1e-12);
+        assert!((by[0] + 0.5).abs() < 1e-12 && by[1].abs() < 1e-12 && (by[2] - 0.1).abs() < 1e-12);
+        assert!(open.is_some_and(|open| open[1].abs() > 1.0 - 1e-12));
     }
 }

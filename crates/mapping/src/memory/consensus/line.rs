@@ -92,10 +92,15 @@ impl Line {
 
     /// Metres of this line that lie beside any of the others: nearer than `distance` and turned less
     /// than `angle`.
-    pub(super) fn covered_by(&self, others: &[Self], distance: f64, angle: f64) -> f64 {
+    pub(super) fn covered_by<'a>(
+        &self,
+        others: impl IntoIterator<Item = &'a Self>,
+        distance: f64,
+        angle: f64,
+    ) -> f64 {
         let parallel = trig::cos(angle);
         let mut parts: Vec<(f64, f64)> = others
-            .iter()
+            .into_iter()
             .filter(|other| self.along.dot(other.along) > parallel)
             .filter_map(|other| self.gap(other))
             .filter(|(gap, ..)| *gap < distance)

@@ -1,7 +1,7 @@
 use cogmap_geometry::trig;
 use serde::{Deserialize, Serialize};
 
-use super::line::Line;
+use super::{known::Known, line::Line};
 
 /// What of a view is new. A longer sighting of a known wall is: it becomes another frozen surface.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -34,8 +34,9 @@ impl Default for Novelty {
     }
 }
 
-pub(super) fn is_new(placed: &Line, known: &[Line], params: &Novelty) -> bool {
-    let cover = placed.covered_by(known, params.distance, params.angle) / placed.length;
+pub(super) fn is_new(placed: &Line, known: &Known, params: &Novelty) -> bool {
+    let cover = placed.covered_by(known.facing(placed.heading, params.angle), params.distance, params.angle)
+        / placed.length;
     if placed.length >= params.debris {
         return cover < params.cover;
     }
@@ -43,5 +44,5 @@ pub(super) fn is_new(placed: &Line, known: &[Line], params: &Novelty) -> bool {
         let nearest = other.a.distance(placed.a).min(other.b().distance(placed.b()));
         other.length < params.debris && nearest < params.debris_distance
     };
-    cover < params.debris_cover && !known.iter().any(beside)
+    cover < params.debris_cover && !known.all().any(beside)
 }

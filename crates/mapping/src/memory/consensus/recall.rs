@@ -1,200 +1,228 @@
-use cogmap_geometry::{Pose, trig};
-use serde::{Deserialize, Serialize};
+use cogmap_geometry::Pose;
 
 use super::{
-    alignment::{Alignment, Fit, align},
-    candidates::Candidates,
-    line::Line,
-    surroundings::Surroundings,
+    Recognition, Relocation,
+    alignment::Fit,
+    hypothesis::{Hypothesis, Place, Remembered, Rules, Sight, fit_at},
+    relocation::{guesses, same_place},
+    surroundings::Elsewhere,
 };
-use crate::memory::{FrameId, Mfis};
+use crate::memory::{FrameId, Mfis, Way};
 
-/// How a place known before is found again: views must fit an old place's own surfaces for a while,
-/// as a second hypothesis beside the first, before the two places are linked.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Recognition {
-    /// Whether to recognise at all.
-    pub on: bool,
-    /// Only places farther than this along the links can be come back to, metres.
-    pub loop_length: f64,
-    /// An old place is looked for within this, metres …
-    pub radius: f64,
-    /// … and this share of the way along the links: the map drifts …
-    pub drift: f64,
-    /// … but not farther than this, metres.
-    pub radius_max: f64,
-    /// Grid of the positions to try, metres.
-    pub grid: f64,
-    /// Turn to try to either side, radians.
-    pub turn: f64,
-    /// What is remembered within this along the links of the old place counts as its surfaces, metres.
-    pub surroundings: f64,
-    /// A hypothesis begins when this share of a view fits …
-    pub begin_fraction: f64,
-    /// … and so many metres of it do.
-    pub begin_length: f64,
-    /// It is believed when this share of the views fitted in the mean …
-    pub believe_fraction: f64,
-    /// … over so many views …
-    pub believe_views: u32,
-    /// … and so many metres of the way.
-    pub believe_way: f64,
-    /// It is dropped when less than this share of one view fits.
-    pub drop_below: f64,
-}
-
-impl Default for Recognition {
-    fn default() -> Self {
-        Self {
-            on: true,
-            loop_length: 15.0,
-            radius: 0.7,
-            drift: 0.03,
-            radius_max: 5.0,
-            grid: 0.7,
-            turn: 7.0 * trig::PI / 180.0,
-            surroundings: 12.0,
-            begin_fraction: 0.62,
-            begin_length: 2.5,
-            believe_fraction: 0.58,
-            believe_views: 3,
-            believe_way: 1.8,
-            drop_below: 0.4,
-        }
-    }
-}
-
-/// An old place, and where the robot is in it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    pub(super) frame: FrameId,
-    pub(super) frame_from_robot: Pose,
-    /// Metres that the hypothesis was followed before it was believed.
-    pub(super) way: f64,
-}
-
-/// The second hypothesis, if there is one.
+/// The hypotheses beside the first: one, or several while the robot is lost.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recall {
-    hypothesis: Option<Hypothesis>,
+    hypotheses: Vec<Hypothesis>,
+    lost: Option<Lostness>,
+    ways: Ways,
 }
 
-#[derive(Clone, Debug)]
-struct Hypothesis {
-    place: Place,
-    views: u32,
-    fractions: f64,
+/// A robot that is lost looks into the frames from before, one after the other.
+#[derive(Clone, Copy, Debug)]
+struct Lostness {
+    /// The first frame of what it has mapped since.
+    since: FrameId,
+    next: u32,
+    examined: u32,
+}
+
+/// All ways from a frame, kept while they are the same.
+#[derive(Clone, Debug, Default)]
+struct Ways {
+    from: Option<(FrameId, usize)>,
+    all: Vec<(FrameId, Way)>,
 }
 
 impl Recall {
-    /// The robot has moved: so has it in the old place, if that is where it is.
+    /// The robot has moved: so has it in the old places, if that is where it is.
     pub(super) fn carry(&mut self, moved: Pose) {
-        if let Some(Hypothesis { place, .. }) = &mut self.hypothesis {
+        for Hypothesis { place, .. } in &mut self.hypotheses {
             place.frame_from_robot = place.frame_from_robot * moved;
             place.way += moved.position.length();
         }
     }
 
-    /// Follows the hypothesis, or looks for one; the place when it is believed.
+    /// The robot is lost: what it maps from this frame on has no link to what was before.
+    pub(super) fn lose(&mut self, since: FrameId) {
+        self.hypotheses.clear();
+        self.lost = Some(Lostness { since, next: 0, examined: 0 });
+    }
+
+    /// Follows the hypotheses, or looks for one; the place when it is believed.
     pub(super) fn consider(
         &mut self,
-        view: &[Line],
+        sight: Sight<'_>,
         here: (FrameId, Pose),
-        (mfis, surroundings): (&Mfis, &Surroundings),
-        (params, alignment): (&Recognition, &Alignment),
+        remembered: Remembered<'_>,
+        rules: Rules<'_>,
     ) -> Option<Place> {
-        if !params.on {
+        if !rules.recognition.on {
             return None;
         }
-        if let Some(hypothesis) = self.hypothesis.take() {
-            let known = surroundings.lines_elsewhere(mfis, hypothesis.place.frame, params.surroundings, 10.0);
-            return self.follow(hypothesis, view, &known, (params, alignment));
+        let place = match self.lost {
+            Some(lost) => self.find_any(lost, sight, remembered, rules),
+            None => self.find_near(sight, here, remembered, rules),
+        };
+        if place.is_some() {
+            (self.hypotheses, self.lost) = (Vec::new(), None);
         }
-        self.hypothesis = begin(view, here, (mfis, surroundings), (params, alignment));
-        None
+        place
     }
 
-    fn follow(
+    /// A loop: the place is about where the links say.
+    fn find_near(
         &mut self,
-        mut hypothesis: Hypothesis,
-        view: &[Line],
-        known: &[Line],
-        (params, alignment): (&Recognition, &Alignment),
+        sight: Sight<'_>,
+        here: (FrameId, Pose),
+        remembered: Remembered<'_>,
+        rules: Rules<'_>,
     ) -> Option<Place> {
-        let fit = fit_at(view, known, hypothesis.place.frame_from_robot, 0.0, alignment)?;
-        hypothesis.place.frame_from_robot = fit.pose;
-        hypothesis.views += 1;
-        hypothesis.fractions += fit.fraction;
-        let mean = hypothesis.fractions / f64::from(hypothesis.views);
-        if fit.fraction < params.drop_below || mean < params.believe_fraction - 0.05 {
+        let Some(mut hypothesis) = self.hypotheses.pop() else {
+            self.ways.update(remembered.mfis, here.0);
+            self.hypotheses.extend(self.begin_near(sight, here, remembered, rules));
             return None;
-        }
-        let long_enough =
-            hypothesis.views > params.believe_views && hypothesis.place.way >= params.believe_way;
-        if long_enough && mean >= params.believe_fraction && fit.rank == 3 {
+        };
+        let fit = hypothesis.follow(sight, remembered, rules)?;
+        let Recognition { believe_views, believe_way, believe_fraction, .. } = *rules.recognition;
+        let long_enough = hypothesis.views > believe_views && hypothesis.place.way >= believe_way;
+        if long_enough && hypothesis.mean() >= believe_fraction && fit.rank == 3 {
             return Some(hypothesis.place);
         }
-        self.hypothesis = Some(hypothesis);
+        self.hypotheses.push(hypothesis);
         None
     }
-}
 
-/// Looks for an old place that the view fits, on a grid around where the robot would be in it.
-fn begin(
-    view: &[Line],
-    (frame, frame_from_robot): (FrameId, Pose),
-    (mfis, surroundings): (&Mfis, &Surroundings),
-    (params, alignment): (&Recognition, &Alignment),
-) -> Option<Hypothesis> {
-    let mut nearest: Option<(FrameId, Pose, f64, f64)> = None;
-    for (old, way) in mfis.ways_from(frame, f64::INFINITY) {
-        let old_from_robot = way.here_from_frame.inverse() * frame_from_robot;
-        let distance = old_from_robot.position.length();
-        let radius = (params.radius + params.drift * way.length).min(params.radius_max);
-        let near = way.length > params.loop_length && distance < radius + 2.0;
-        if near && nearest.is_none_or(|(.., least, _)| distance < least) {
-            nearest = Some((old, old_from_robot, distance, radius));
-        }
-    }
-    let (old, old_from_robot, _, radius) = nearest?;
-    let known = surroundings.lines_elsewhere(mfis, old, params.surroundings, 10.0);
-    let fit = best_on_grid(view, &known, (old_from_robot, radius), (params, alignment))?;
-    let place = Place { frame: old, frame_from_robot: fit.pose, way: 0.0 };
-    Some(Hypothesis { place, views: 1, fractions: fit.fraction })
-}
-
-#[allow(clippy::cast_possible_truncation, reason = "the radius is a few metres")]
-fn best_on_grid(
-    view: &[Line],
-    known: &[Line],
-    (centre, radius): (Pose, f64),
-    (params, alignment): (&Recognition, &Alignment),
-) -> Option<Fit> {
-    let cells = (radius / params.grid).ceil() as i32;
-    let mut best: Option<Fit> = None;
-    for (i, j) in (-cells..=cells).flat_map(|i| (-cells..=cells).map(move |j| (i, j))) {
-        let (x, y) = (params.grid * f64::from(i), params.grid * f64::from(j));
-        if x * x + y * y > radius * radius {
-            continue;
-        }
-        for turn in [-params.turn, 0.0, params.turn] {
-            let start = Pose::new(centre.position.x + x, centre.position.y + y, centre.heading + turn);
-            let fit = fit_at(view, known, start, params.begin_fraction, alignment).filter(|fit| {
-                fit.fraction > params.begin_fraction && fit.matched > params.begin_length && fit.rank == 3
-            });
-            if let Some(fit) = fit
-                && best.as_ref().is_none_or(|best| fit.matched > best.matched)
-            {
-                best = Some(fit);
+    /// Looks for an old place that the view fits, on a grid around where the robot would be in it.
+    fn begin_near(
+        &self,
+        sight: Sight<'_>,
+        (_, frame_from_robot): (FrameId, Pose),
+        remembered: Remembered<'_>,
+        rules: Rules<'_>,
+    ) -> Option<Hypothesis> {
+        let Recognition { radius, drift, radius_max, loop_length, .. } = *rules.recognition;
+        let mut nearest: Option<(FrameId, Pose, f64, f64)> = None;
+        for &(old, way) in &self.ways.all {
+            let old_from_robot = way.here_from_frame.inverse() * frame_from_robot;
+            let distance = old_from_robot.position.length();
+            let radius = (radius + drift * way.length).min(radius_max);
+            let near = way.length > loop_length && distance < radius + 2.0;
+            if near && nearest.is_none_or(|(.., least, _)| distance < least) {
+                nearest = Some((old, old_from_robot, distance, radius));
             }
         }
+        let (old, old_from_robot, _, radius) = nearest?;
+        let known = remembered.around(old, rules);
+        let fit = best_of(grid(old_from_robot, radius, rules.recognition), sight, &known, rules)?;
+        let agreement = known.agreement(&sight.look.seen_from(fit.pose), rules.free_space);
+        (agreement.contradiction() <= rules.recognition.contradiction)
+            .then(|| Hypothesis::begin(old, &fit, agreement))
     }
-    best
+
+    /// The robot is lost: any place may be the one.
+    fn find_any(
+        &mut self,
+        mut lost: Lostness,
+        sight: Sight<'_>,
+        remembered: Remembered<'_>,
+        rules: Rules<'_>,
+    ) -> Option<Place> {
+        self.hypotheses.retain_mut(|hypothesis| hypothesis.follow(sight, remembered, rules).is_some());
+        let params = &rules.recognition.relocation;
+        for _ in 0..params.frames.min(lost.since.0) {
+            let old = FrameId(lost.next % lost.since.0);
+            (lost.next, lost.examined) = (old.0 + 1, lost.examined + 1);
+            if let Some(found) = begin_anywhere(old, sight, remembered, rules) {
+                self.admit(found, remembered.mfis, params.rivals);
+            }
+        }
+        self.lost = Some(lost);
+        let thorough = lost.examined >= lost.since.0.min(params.examined);
+        if thorough { self.undisputed(params) } else { None }
+    }
+
+    /// Follows a new hypothesis, unless it is followed already, or there are better ones enough.
+    fn admit(&mut self, found: Hypothesis, mfis: &Mfis, rivals: usize) {
+        let in_map = |place: &Place| mfis.map_from_frame(place.frame) * place.frame_from_robot;
+        let at = in_map(&found.place);
+        if self.hypotheses.len() < rivals
+            && !self.hypotheses.iter().any(|other| same_place(in_map(&other.place), at))
+        {
+            self.hypotheses.push(found);
+        }
+    }
+
+    /// The place that fits for long enough, and clearly better than any other.
+    fn undisputed(&self, params: &Relocation) -> Option<Place> {
+        let best = self.hypotheses.iter().max_by(|a, b| a.mean().total_cmp(&b.mean()))?;
+        let rivals = self.hypotheses.iter().filter(|other| other.mean() > best.mean() - params.lead).count();
+        let believed = best.mean() >= params.believe_fraction
+            && best.contradiction() <= params.contradiction
+            && best.views > params.believe_views
+            && best.place.way >= params.believe_way;
+        (believed && rivals == 1).then_some(best.place)
+    }
 }
 
-/// How a view fits there; `None` where less than `least` of it could.
-fn fit_at(view: &[Line], known: &[Line], start: Pose, least: f64, alignment: &Alignment) -> Option<Fit> {
-    let near = Candidates::around(view, known, start, 1.3 * alignment.gate, 1.2 * alignment.gate_angle);
-    (near.possible_fraction() >= least).then(|| align(view, &near, start, 0.0, alignment))
+impl Ways {
+    fn update(&mut self, mfis: &Mfis, frame: FrameId) {
+        let now = Some((frame, mfis.links().len()));
+        if self.from != now {
+            self.from = now;
+            self.all = mfis.ways_from(frame, f64::INFINITY).into_iter().collect();
+        }
+    }
+}
+
+/// Looks for the view anywhere in an old place.
+fn begin_anywhere(
+    old: FrameId,
+    sight: Sight<'_>,
+    remembered: Remembered<'_>,
+    rules: Rules<'_>,
+) -> Option<Hypothesis> {
+    let known = remembered.around(old, rules);
+    let params = &rules.recognition.relocation;
+    let better = |best: Option<Hypothesis>, start: Pose| {
+        let Some(fit) = fit_at(sight.lines, &known.lines, start, (params.begin_fraction, rules.alignment))
+        else {
+            return best;
+        };
+        let agreement = known.agreement(&sight.look.seen_from(fit.pose), rules.free_space);
+        let fits = fit.fraction > params.begin_fraction
+            && fit.matched > params.begin_length
+            && fit.rank == 3
+            && agreement.contradiction() <= rules.recognition.contradiction
+            && best.as_ref().is_none_or(|best| fit.fraction > best.mean());
+        if fits { Some(Hypothesis::begin(old, &fit, agreement)) } else { best }
+    };
+    guesses(sight.lines, &known.lines, params).into_iter().fold(None, better)
+}
+
+/// The poses to try around one.
+#[allow(clippy::cast_possible_truncation, reason = "the radius is a few metres")]
+fn grid(centre: Pose, radius: f64, params: &Recognition) -> impl Iterator<Item = Pose> {
+    let (size, turn) = (params.grid, params.turn);
+    let cells = (radius / size).ceil() as i32;
+    (-cells..=cells)
+        .flat_map(move |i| (-cells..=cells).map(move |j| (size * f64::from(i), size * f64::from(j))))
+        .filter(move |(x, y)| x * x + y * y <= radius * radius)
+        .flat_map(move |shift| [-turn, 0.0, turn].map(|turn| (shift, turn)))
+        .map(move |((x, y), turn)| {
+            Pose::new(centre.position.x + x, centre.position.y + y, centre.heading + turn)
+        })
+}
+
+/// The fit from one of the starts that matches the longest part of the view.
+fn best_of(
+    starts: impl Iterator<Item = Pose>,
+    sight: Sight<'_>,
+    known: &Elsewhere,
+    rules: Rules<'_>,
+) -> Option<Fit> {
+    let Recognition { begin_fraction, begin_length, .. } = *rules.recognition;
+    starts
+        .filter_map(|start| fit_at(sight.lines, &known.lines, start, (begin_fraction, rules.alignment)))
+        .filter(|fit| fit.fraction > begin_fraction && fit.matched > begin_length && fit.rank == 3)
+        .max_by(|a, b| a.matched.total_cmp(&b.matched))
 }

@@ -1,10 +1,11 @@
-use cogmap_geometry::{Pose, trig};
+use cogmap_geometry::{DVec2, Pose, trig};
 use serde::{Deserialize, Serialize};
 
 use super::{
     ConsensusParams,
     alignment::{Alignment, Fit, align},
     candidates::Candidates,
+    known::Known,
     line::Line,
 };
 
@@ -12,14 +13,24 @@ use super::{
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Search {
-    /// Look elsewhere when less than this share of the view fits.
+    /// Look elsewhere when less than this share of the view fits …
     pub search_below: f64,
+    /// … or when this share of what it saw of free space contradicts what was seen just before.
+    pub search_contradiction: f64,
+    /// When this share of the view fits, that is where the robot is.
+    pub sure: f64,
     /// Believe odometry alone when less than this share fits anywhere.
     pub lost_below: f64,
     /// Turns to try to either side, radians.
-    pub turns: [f64; 3],
+    pub turns: [f64; 4],
     /// Shifts to try in each direction, metres.
-    pub shift: f64,
+    pub shifts: [f64; 2],
+    /// Lines of a try are compared when they are nearer than this, metres …
+    pub near: f64,
+    /// … and turned less than this, radians.
+    pub near_angle: f64,
+    /// So many of the most promising tries are followed up.
+    pub followed: usize,
     /// The gates widen by this with each step lost, metres …
     pub slack_per_step: f64,
     /// … up to this.
@@ -31,9 +42,14 @@ impl Default for Search {
         let degree = trig::PI / 180.0;
         Self {
             search_below: 0.6,
+            search_contradiction: 0.2,
+            sure: 0.8,
             lost_below: 0.3,
-            turns: [6.0 * degree, 12.0 * degree, 20.0 * degree],
-            shift: 0.25,
+            turns: [6.0 * degree, 12.0 * degree, 20.0 * degree, 30.0 * degree],
+            shifts: [0.25, 0.5],
+            near: 0.3,
+            near_angle: 8.0 * degree,
+            followed: 8,
             slack_per_step: 0.05,
             slack_max: 0.5,
         }
@@ -41,41 +57,76 @@ impl Default for Search {
 }
 
 /// Lays the view onto the remembered lines, beginning at `predicted`, and elsewhere around it if it
-/// fits badly there; keeps what fits the longest part of the view.
+/// fits badly there; keeps what fits the longest part of the view and contradicts the least of what
+/// was seen of free space just before. `contradiction` tells that share for a pose.
 pub(super) fn locate(
     view: &[Line],
-    known: &[Line],
-    predicted: Pose,
-    steps_lost: u32,
+    known: &Known,
+    (predicted, steps_lost): (Pose, u32),
+    contradiction: impl Fn(Pose) -> f64,
     params: &ConsensusParams,
 ) -> Fit {
-    let slack = (params.search.slack_per_step * f64::from(steps_lost)).min(params.search.slack_max);
-    let mut best = align_from(view, known, predicted, slack, &params.alignment);
-    if best.fraction >= params.search.search_below {
-        return best;
+    let search = &params.search;
+    let slack = (search.slack_per_step * f64::from(steps_lost)).min(search.slack_max);
+    let first = align_from(view, known, predicted, slack, &params.alignment);
+    if first.fraction >= search.sure {
+        return first;
     }
-    for start in starts(predicted, &params.search) {
+    let doubt = contradiction(first.pose);
+    if first.fraction >= search.search_below && doubt <= search.search_contradiction {
+        return first;
+    }
+    let mut best = (worth(&first, doubt), first);
+    for start in most_promising(view, known, predicted, search) {
         let fit = align_from(view, known, start, slack, &params.alignment);
-        if fit.matched > best.matched * 1.05 + 0.1 {
-            best = fit;
+        let worth = worth(&fit, contradiction(fit.pose));
+        if worth > best.0 * 1.05 + 0.1 {
+            best = (worth, fit);
         }
     }
-    best
+    best.1
 }
 
-fn align_from(view: &[Line], known: &[Line], start: Pose, slack: f64, params: &Alignment) -> Fit {
+/// Metres of the view that fit, less where free space contradicts the pose.
+fn worth(fit: &Fit, contradiction: f64) -> f64 {
+    fit.matched * (1.0 - contradiction)
+}
+
+fn align_from(view: &[Line], known: &Known, start: Pose, slack: f64, params: &Alignment) -> Fit {
     let (reach, angle) = (1.5 * params.gate + slack, 1.3 * params.gate_angle);
     let near = Candidates::around(view, known, start, reach, angle);
     align(view, &near, start, slack, params)
 }
 
+/// The starts from which the longest part of the view lies near remembered lines, best first.
+fn most_promising(view: &[Line], known: &Known, predicted: Pose, search: &Search) -> Vec<Pose> {
+    let near = |start| beside(view, known, start, (search.near, search.near_angle));
+    let mut starts: Vec<(f64, Pose)> = starts(predicted, search).map(|start| (near(start), start)).collect();
+    starts.sort_by(|a, b| b.0.total_cmp(&a.0));
+    starts.into_iter().take(search.followed).map(|(_, start)| start).collect()
+}
+
+/// Metres of the view that lie beside remembered lines when the robot is there: nearer than the first
+/// and turned less than the second of the gates.
+pub(super) fn beside(view: &[Line], known: &Known, pose: Pose, (near, angle): (f64, f64)) -> f64 {
+    let beside = |line: &Line| {
+        let placed = line.seen_from(pose);
+        placed.covered_by(known.facing(placed.heading, angle), near, angle)
+    };
+    view.iter().map(beside).sum()
+}
+
 fn starts(predicted: Pose, search: &Search) -> impl Iterator<Item = Pose> {
     let turns = search.turns.into_iter().flat_map(|turn| [-turn, turn]).chain([0.0]);
-    let s = search.shift;
-    let shifts = [(0.0, 0.0), (s, 0.0), (-s, 0.0), (0.0, s), (0.0, -s)];
+    let around = |s: f64| [(s, 0.0), (-s, 0.0), (0.0, s), (0.0, -s)];
+    let shifts = search.shifts.into_iter().flat_map(around).chain([(0.0, 0.0)]);
+    let shifts: Vec<DVec2> = shifts.map(DVec2::from).collect();
     turns.flat_map(move |turn| {
-        shifts.into_iter().map(move |(x, y)| {
-            Pose::new(predicted.position.x + x, predicted.position.y + y, predicted.heading + turn)
-        })
+        let starts: Vec<Pose> = shifts
+            .iter()
+            .map(|shift| predicted.position + *shift)
+            .map(|at| Pose::new(at.x, at.y, predicted.heading + turn))
+            .collect();
+        starts
     })
 }
