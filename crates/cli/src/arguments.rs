@@ -146,6 +146,16 @@ pub(crate) struct StudyArguments {
     #[arg(long = "seed", value_name = "FIRST", default_value = "1000", value_parser = first_seed,
         allow_negative_numbers = true)]
     pub(crate) first: u64,
+    /// Recorded log, for `relations` and `cadence`
+    #[arg(long, value_name = "FILE")]
+    pub(crate) log: Option<PathBuf>,
+    /// Where the log's robot truly was: rows of `t1 t2 x y z roll pitch yaw`, matched by hand
+    #[arg(long, value_name = "FILE", requires = "log")]
+    pub(crate) relations: Option<PathBuf>,
+    /// Make the log's odometry worse by this factor; give it again for more factors [default: 1, 10]
+    #[arg(long, value_name = "K", requires = "log", value_parser = zero_or_above,
+        allow_negative_numbers = true)]
+    pub(crate) odometry_noise: Vec<f64>,
     /// Directory for runs.csv and summary.json; made if it is missing. Without it only the tables
     /// are shown
     #[arg(long, value_name = "DIR")]

@@ -1,16 +1,18 @@
 //! `cogmap study`: experiments with many seeds.
 
+mod markdown;
 mod tables;
 
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use cogmap_simulation::World;
-use cogmap_study::{Check, Outcome, Request, Seeds, Study, Summary, runner};
+use cogmap_study::{Check, Log, Outcome, Request, Seeds, Study, Summary, runner};
 
 use crate::arguments::StudyArguments;
 use crate::failure::Failure;
-use crate::input::Input;
+use crate::input::{Input, Kind};
+use crate::log;
 use crate::output::Output;
 use crate::progress;
 use crate::table::Table;
@@ -22,15 +24,15 @@ pub(crate) fn study(arguments: &StudyArguments) -> Result<(), Failure> {
     let Some(name) = &arguments.name else { return terminal::say(&list()) };
     let study = Study::named(name).ok_or_else(|| unknown(name))?;
     let mut timing = Timing::start();
-    let request = Request { worlds: worlds(&arguments.worlds)? };
+    let request =
+        Request { worlds: worlds(&arguments.worlds)?, log: log(arguments)?, noise: arguments.odometry_noise.clone() };
     let conditions = (study.plan)(&request).map_err(Failure::input)?;
     let output = Output::at(arguments.out.as_deref(), arguments.force)?;
     let seeds = Seeds { first: arguments.first, count: arguments.seeds.unwrap_or(study.seeds) };
     timing.done("read");
-    let range = seeds.first..seeds.first + seeds.count;
-    let bar = progress::bar(runner::drives(&conditions, &range), "drives");
+    let bar = progress::bar(runner::drives(&conditions, seeds).len() as u64, "drives");
     let jobs = arguments.jobs.map_or(0, usize::from);
-    let rows = runner::run(&conditions, range, jobs, || bar.inc(1)).map_err(Failure::run)?;
+    let rows = runner::run(&conditions, seeds, jobs, || bar.inc(1)).map_err(Failure::run)?;
     bar.finish_and_clear();
     let outcome = Outcome { conditions, rows };
     timing.done("drive, map and score");
@@ -48,7 +50,11 @@ fn conclude(
     let summary = Summary::of(study, seeds, outcome, checks);
     let summary = serde_json::to_string_pretty(&summary).unwrap_or_default() + "\n";
     timing.done("sum up");
-    let mut said = tables::of(study, seeds, outcome, checks);
+    let mut said = if study.name == "results" {
+        markdown::of(seeds, outcome)
+    } else {
+        tables::of(study, seeds, outcome, checks)
+    };
     said += &format!("\nDone in {:.1} s.", timing.total());
     said += &match output {
         Some(output) => {
@@ -89,6 +95,25 @@ fn worlds(patterns: &[String]) -> Result<Vec<Arc<World>>, Failure> {
     Ok(worlds)
 }
 
+/// The log that the arguments name, with its relations.
+fn log(arguments: &StudyArguments) -> Result<Option<Arc<Log>>, Failure> {
+    let Some(path) = &arguments.log else { return Ok(None) };
+    let input = Input::read(path)?;
+    let recording = match input.kind() {
+        Kind::Log => log::read(&input, false)?.recording,
+        kind => return Err(log::not_a_log(&input, kind)),
+    };
+    let relations = match &arguments.relations {
+        Some(path) => {
+            let input = Input::read(path)?;
+            cogmap_formats::relations::read(input.text()?, &input.name)?
+        }
+        None => Vec::new(),
+    };
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    Ok(Some(Arc::new(Log { name, recording, relations })))
+}
+
 fn unknown(name: &str) -> Failure {
     let names: Vec<&str> = Study::ALL.iter().map(|study| study.name).collect();
     Failure::input(format!("there is no study `{name}`")).help(format!("choose from {}", names.join(", ")))
@@ -107,6 +132,7 @@ fn list() -> String {
 pub(crate) fn examples() -> String {
     "Example: cogmap study\n\
      Example: cogmap study loop-b --out loop-b\n\
+     Example: cogmap study relations --log intel.log.gz --relations intel.relations\n\
      Example: cogmap study small --seeds 20 --seed 1 --worlds 'worlds/*office.world.json'\n\n\
      `cogmap study --help` explains each study."
         .to_owned()
@@ -116,8 +142,7 @@ pub(crate) fn examples() -> String {
 pub(crate) fn explanations() -> String {
     let mut text = String::from("Studies:\n\n");
     for study in &Study::ALL {
-        let level = study.level.map(|level| format!(" Varied: {level}.")).unwrap_or_default();
-        text += &format!("{} ({} seeds)\n  {}{level}\n\n", study.name, study.seeds, study.about);
+        text += &format!("{} ({} seeds)\n  {}\n\n", study.name, study.seeds, study.about);
     }
     text + "runs.csv has a row for each run and mapper, the same seeds for all mappers; summary.json has every\n\
             figure with its 95 % interval, every parameter, and what each column means.\n\n"

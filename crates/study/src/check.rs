@@ -27,9 +27,25 @@ pub enum Bound {
     AtMost(f64),
 }
 
+/// One of the thesis's claims, asked of one form of the theory and one robot.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Claim {
+    /// `C1` to `C9`.
+    pub id: &'static str,
+    /// What is claimed, in our words.
+    pub statement: &'static str,
+    /// `perceptual`, the thesis's form, or `consensus`, ours.
+    pub form: &'static str,
+    /// The robot's name.
+    pub robot: &'static str,
+}
+
 /// A criterion, the figure that it is about, and what the figure says of it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Check {
+    /// Which claim it is part of; several checks may be.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub claim: Option<Claim>,
     /// What is claimed, with its criterion, for people.
     pub criterion: String,
     /// Where the figure should lie.
@@ -45,6 +61,12 @@ pub struct Check {
 }
 
 impl Check {
+    /// The same as part of a claim.
+    #[must_use]
+    pub fn of_claim(self, claim: Claim) -> Self {
+        Self { claim: Some(claim), ..self }
+    }
+
     /// Something must be true of a share of the runs.
     #[must_use]
     pub fn rate(criterion: impl Into<String>, rate: Rate, bound: Bound) -> Self {
@@ -70,7 +92,33 @@ impl Check {
             };
             (value, verdict)
         });
-        Self { criterion: criterion.into(), bound, share: false, figure, met, verdict }
+        Self { claim: None, criterion: criterion.into(), bound, share: false, figure, met, verdict }
+    }
+}
+
+impl Verdict {
+    /// A claim is supported if all that it asks for is, and refuted if any of it is.
+    #[must_use]
+    pub fn of_all<'a>(checks: impl IntoIterator<Item = &'a Check>) -> Self {
+        let mut all = None;
+        for check in checks {
+            all = match (all, check.verdict) {
+                (Some(Self::Refuted), _) | (_, Self::Refuted) => Some(Self::Refuted),
+                (Some(Self::Undecided), _) | (_, Self::Undecided) => Some(Self::Undecided),
+                _ => Some(Self::Supported),
+            };
+        }
+        all.unwrap_or(Self::Undecided)
+    }
+
+    /// The word for it.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Supported => "supported",
+            Self::Refuted => "refuted",
+            Self::Undecided => "undecided",
+        }
     }
 }
 
@@ -100,5 +148,14 @@ mod tests {
         assert_eq!((rate(188, 200).met, rate(188, 200).verdict), (false, Verdict::Undecided));
         assert_eq!((rate(150, 200).met, rate(150, 200).verdict), (false, Verdict::Refuted));
         assert_eq!((rate(0, 0).met, rate(0, 0).verdict), (false, Verdict::Undecided));
+    }
+
+    #[test]
+    fn a_claim_stands_or_falls_with_its_parts() {
+        let [yes, no, open] = [rate(200, 200), rate(150, 200), rate(192, 200)];
+        assert_eq!(Verdict::of_all([&yes, &yes]), Verdict::Supported);
+        assert_eq!(Verdict::of_all([&yes, &open]), Verdict::Undecided);
+        assert_eq!(Verdict::of_all([&no, &open, &yes]), Verdict::Refuted);
+        assert_eq!(Verdict::of_all([]), Verdict::Undecided);
     }
 }

@@ -1,29 +1,55 @@
 use std::sync::Arc;
 
+use cogmap_formats::relations::Relation;
 use cogmap_geometry::DVec2;
 use cogmap_mapping::MapperSetup;
-use cogmap_simulation::{Robot, World};
+use cogmap_simulation::{Recording, Robot, World};
 
 /// What is the same for all runs of a group: where, with what, how; only the seed differs.
 #[derive(Clone)]
 pub struct Condition {
-    /// The way that is driven.
-    pub course: Course,
-    /// Who drives it.
-    pub robot: Robot,
-    /// What is done to the drive before the mappers see it.
+    /// Where the readings come from.
+    pub ground: Ground,
+    /// What is done to them before the mappers see them.
     pub treatment: Treatment,
-    /// Where on the scale that the study varies; `None` where it varies nothing.
-    pub level: Option<f64>,
     /// The mappers, each fed the same readings.
     pub mappers: Vec<Variant>,
+    /// It is run with so many times the study's seeds: rates near 1 need more runs.
+    pub times: u64,
+}
+
+/// Where readings come from.
+#[derive(Clone)]
+#[allow(clippy::large_enum_variant, reason = "a study has a few")]
+pub enum Ground {
+    /// A robot is driven through a building.
+    Drive {
+        /// The way that is driven.
+        course: Course,
+        /// Who drives it.
+        robot: Robot,
+    },
+    /// A real robot was driven, and the truth is only known from relations.
+    Log(Arc<Log>),
+}
+
+/// A recorded log and what people know of the truth.
+#[derive(Clone, Debug)]
+pub struct Log {
+    /// Its name for people.
+    pub name: String,
+    /// What reached the robot's program.
+    pub recording: Recording,
+    /// Where the robot was at one moment seen from another, matched by hand.
+    pub relations: Vec<Relation>,
 }
 
 /// What is done to a drive before the mappers see it, so that the same drive can be seen in several
 /// ways.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Treatment {
-    /// The error of each movement becomes so many times what it was.
+    /// The error of each movement of a drive becomes so many times what it was; to a log, whose error
+    /// nobody knows, noise of this factor is added.
     pub odometry: f64,
     /// A scan is kept each so many metres or radians; `None` keeps all.
     pub every: Option<f64>,
@@ -59,17 +85,65 @@ impl Condition {
     /// Drives of the condition are also drives of the other.
     #[must_use]
     pub fn shares_drives_with(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.course.world, &other.course.world)
-            && self.course.route_name == other.course.route_name
-            && self.robot == other.robot
+        let same_ground = match (&self.ground, &other.ground) {
+            (Ground::Drive { course, robot }, Ground::Drive { course: other, robot: others }) => {
+                Arc::ptr_eq(&course.world, &other.world)
+                    && course.route_name == other.route_name
+                    && robot == others
+            }
+            (Ground::Log(log), Ground::Log(other)) => Arc::ptr_eq(log, other),
+            _ => false,
+        };
+        same_ground && self.times == other.times
+    }
+
+    /// The building or the log.
+    #[must_use]
+    pub fn place(&self) -> &str {
+        match &self.ground {
+            Ground::Drive { course, .. } => &course.world.name,
+            Ground::Log(log) => &log.name,
+        }
+    }
+
+    /// The route's name; none for a log.
+    #[must_use]
+    pub fn route(&self) -> &str {
+        match &self.ground {
+            Ground::Drive { course, .. } => &course.route_name,
+            Ground::Log(_) => "",
+        }
+    }
+
+    /// The robot's name; a log's is `real`.
+    #[must_use]
+    pub fn robot(&self) -> &str {
+        match &self.ground {
+            Ground::Drive { robot, .. } => &robot.name,
+            Ground::Log(_) => "real",
+        }
     }
 
     /// In one line, for people.
     #[must_use]
     pub fn title(&self) -> String {
-        let Course { world, route_name, .. } = &self.course;
-        let level = self.level.map(|level| format!(", {level}")).unwrap_or_default();
-        format!("{}, {route_name}, {} robot{level}", world.name, self.robot.name)
+        let mut title = match &self.ground {
+            Ground::Drive { course, robot } => {
+                format!("{}, {}, {} robot", course.world.name, course.route_name, robot.name)
+            }
+            Ground::Log(log) => log.name.clone(),
+        };
+        match (&self.ground, self.treatment.odometry) {
+            (Ground::Log(_), noise) if noise > 0.0 => title += &format!(", odometry noise {noise}"),
+            (Ground::Drive { .. }, factor) if factor != 1.0 => {
+                title += &format!(", {factor} times its odometry errors");
+            }
+            _ => {}
+        }
+        if let Some(every) = self.treatment.every {
+            title += &format!(", a view each {every} m or rad");
+        }
+        title
     }
 }
 

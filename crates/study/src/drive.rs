@@ -1,9 +1,8 @@
 use cogmap_geometry::Pose;
 use cogmap_mapping::perception::{Moment, Reading};
-use cogmap_simulation::{Driver, Session, SessionRecord, Source};
+use cogmap_simulation::{Driver, Robot, Session, SessionRecord, Source};
 
 use crate::{Course, condition::Treatment};
-use cogmap_simulation::Robot;
 
 /// Whoever drives has arrived so near to the end of the route, metres.
 const ARRIVED: f64 = 0.5;
@@ -73,6 +72,11 @@ fn look(session: &Session) -> Option<Look> {
 }
 
 impl Drive {
+    /// What reaches the mappers, in order.
+    pub fn readings(&self) -> impl Iterator<Item = &Reading> {
+        self.looks.iter().map(|look| &look.reading)
+    }
+
     /// The same drive with worse odometry, and with fewer scans.
     #[must_use]
     pub fn treated(&self, treatment: Treatment) -> Self {

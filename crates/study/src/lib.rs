@@ -30,8 +30,8 @@ mod study;
 mod summary;
 mod worlds;
 
-pub use check::{Bound, Check, Verdict};
-pub use condition::{Condition, Course, Treatment, Variant};
+pub use check::{Bound, Check, Claim, Verdict};
+pub use condition::{Condition, Course, Ground, Log, Treatment, Variant};
 pub use drive::{Drive, Look, drive};
 pub use mapping::Mapping;
 pub use measure::{Kind, MEASURES, Measure};

@@ -1,12 +1,14 @@
 use cogmap_geometry::Pose;
-use cogmap_mapping::{Mapper, MapperSetup, StepReport};
+use cogmap_mapping::{
+    Mapper, MapperSetup, StepReport,
+    perception::{Moment, Reading},
+};
 use cogmap_simulation::wall_of;
 
 use crate::{
     Drive,
     metrics::{Mapped, Sample, Walls},
 };
-use cogmap_mapping::perception::Moment;
 
 /// What one mapper made of a drive.
 #[derive(Clone, Debug)]
@@ -22,18 +24,22 @@ pub struct Mapping {
 }
 
 impl Mapping {
-    /// Feeds a drive to a mapper; what is random in it comes from the seed.
+    /// Feeds readings to a mapper; what is random in it comes from the seed.
     #[must_use]
-    pub fn of(drive: &Drive, setup: &MapperSetup, seed: u64) -> Self {
+    pub fn of<'a>(
+        readings: impl Iterator<Item = &'a Reading>,
+        setup: &MapperSetup,
+        seed: u64,
+    ) -> Self {
         let mapper = Mapper::new(setup, seed);
         let mut mapping =
             Self { mapper, reports: Vec::new(), look_of_report: Vec::new(), estimate: Vec::new() };
-        for (index, look) in drive.looks.iter().enumerate() {
-            if let Some(report) = mapping.mapper.observe(&look.reading) {
+        for (index, reading) in readings.enumerate() {
+            if let Some(report) = mapping.mapper.observe(reading) {
                 mapping.reports.push(report);
                 mapping.look_of_report.push(index);
             }
-            let pose = mapping.mapper.map_from_robot(look.reading.odom_from_robot);
+            let pose = mapping.mapper.map_from_robot(reading.odom_from_robot);
             mapping.estimate.push(pose.unwrap_or(Pose::IDENTITY));
         }
         mapping

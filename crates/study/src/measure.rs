@@ -54,7 +54,7 @@ const fn part(name: &'static str, head: &'static str, of: &'static str, meaning:
 
 /// Every measure, in the order of the columns.
 #[rustfmt::skip]
-pub const MEASURES: [Measure; 45] = [
+pub const MEASURES: [Measure; 65] = [
     rate("arrived", "arrived", "the person at the controls came to the end of the route"),
     median("way", "way", "m", "length of the true way"),
     median("steps", "steps", "", "movement steps"),
@@ -100,6 +100,26 @@ pub const MEASURES: [Measure; 45] = [
     rate("loop_closed", "loop", "the network closed a loop"),
     median("recognised", "recogn.", "", "times that the robot found itself back in a place that it knew"),
     median("frames", "frames", "", "local frames of the map"),
+    median("doorways", "doorways", "", "times that the robot truly went through a doorway"),
+    part("exits_found", "found", "doorways", "those of them for which an exit was found, at most 0.5 m off"),
+    median("exits_crossed", "crossed", "", "times that the robot says it went through an exit"),
+    part("exits_true", "true", "exits_crossed", "those of them that are doorways"),
+    median("exit_error", "off", "m", "median distance of a found exit from its doorway"),
+    median("rooms", "rooms", "", "rooms that the robot was in"),
+    rate("asrs_fit", "ASRs ±25 %", "as many local spaces as rooms, to a quarter"),
+    median("revisits", "revisits", "", "times that the robot came back into a room"),
+    part("revisits_known", "known", "revisits", "those of them in which it knew the room's space again"),
+    median("new_places", "new", "", "times that the robot came into a room for the first time"),
+    part("false_closures", "false", "new_places", "those of them in which it took the room for one that it knew"),
+    rate("home_known", "home", "the space at the end is the one at the start, as the rooms are"),
+    median("network_edits", "edits", "", "nodes and passages to add or take away until the network is the rooms' graph"),
+    median("purity", "purity", "%", "share of surfaces, by length, that bound the room that most of their space's do"),
+    median("room_recall", "room rec.", "%", "mean over rooms of the largest share of its surfaces that one space holds"),
+    median("room_precision", "room prec.", "%", "mean over spaces of the largest share of its surfaces that bound one room"),
+    median("room_f1", "room F1", "", "rooms and spaces paired where intersection over union is at least a half"),
+    median("rand", "Rand", "", "adjusted Rand index of surfaces shared out among spaces and rooms"),
+    median("relations", "relations", "m", "mean error against relations matched by hand, of the trajectory as it was believed online"),
+    median("relations_network", "network", "m", "the same of relations read from the network of frames"),
 ];
 
 #[cfg(test)]

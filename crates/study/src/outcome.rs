@@ -1,8 +1,8 @@
 use crate::{
     Condition,
     measure::{Kind, MEASURES, Measure},
-    metrics::{Estimate, Rate, median_estimate, share_estimate},
-    score::Values,
+    metrics::{Estimate, Rate, estimate, growth_exponent, median_estimate, share_estimate},
+    score::{STRETCHES, Values},
 };
 
 /// One run of one mapper.
@@ -56,15 +56,15 @@ impl Outcome {
     #[must_use]
     pub fn csv(&self) -> String {
         let names: Vec<&str> = MEASURES.iter().map(|measure| measure.name).collect();
-        let mut text = format!("world,route,robot,level,seed,mapper,{}\n", names.join(","));
+        let mut text = format!("world,route,robot,odometry,every,seed,mapper,{}\n", names.join(","));
         for row in &self.rows {
             let condition = &self.conditions[row.condition];
-            let level = condition.level.map(|level| level.to_string()).unwrap_or_default();
             let cells = [
-                quoted(&condition.course.world.name),
-                quoted(&condition.course.route_name),
-                quoted(&condition.robot.name),
-                level,
+                quoted(condition.place()),
+                quoted(condition.route()),
+                quoted(condition.robot()),
+                condition.treatment.odometry.to_string(),
+                condition.treatment.every.map(|every| every.to_string()).unwrap_or_default(),
                 row.seed.to_string(),
                 quoted(&condition.mappers[row.mapper].label),
             ];
@@ -95,7 +95,7 @@ impl<'a> Group<'a> {
     /// The robot's name.
     #[must_use]
     pub fn robot(&self) -> &'a str {
-        &self.of().robot.name
+        self.of().robot()
     }
 
     /// The mapper's name in the study.
@@ -131,6 +131,27 @@ impl<'a> Group<'a> {
         let mut rate = Rate::default();
         self.rows().filter_map(|row| is_so(&row.values)).for_each(|hit| rate.count(hit));
         rate
+    }
+
+    /// The exponent with which errors grow with the distance over which they are told, of the root mean
+    /// square over runs, with its 95 % interval over runs.
+    #[must_use]
+    pub fn exponent(&self) -> Option<Estimate> {
+        let rows: Vec<&Row> = self.rows().collect();
+        estimate(rows.len(), |drawn| {
+            let at = |&(length, name): &(f64, &str)| {
+                let errors = drawn.iter().map(|&run| rows[run].values.get(name));
+                let squares = errors.map(|error| error.map(|error| error * error)).sum::<Option<f64>>()?;
+                Some((length, (squares / drawn.len() as f64).sqrt()))
+            };
+            growth_exponent(&STRETCHES.iter().filter_map(at).collect::<Vec<_>>())
+        })
+    }
+
+    /// The figure of the measure of that name.
+    #[must_use]
+    pub fn figure_of(&self, measure: &str) -> Option<Estimate> {
+        self.figure(Measure::named(measure)?)
     }
 
     /// A measure over all runs with its 95 % interval.

@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 
+use cogmap_simulation::{SessionRecord, Source};
 use rayon::prelude::*;
 
 use crate::{
-    Condition, Mapping, Row,
-    drive::drive,
-    score::{Truth, score},
+    Condition, Drive, Ground, Log, Mapping, Row, Seeds, Treatment, Variant, drive,
+    score::{Truth, Values, score, score_log},
 };
 
 /// Runs every condition with every seed on so many cores (0: all) and calls `progress` after each
@@ -17,17 +17,13 @@ use crate::{
 /// The first drive that cannot be driven, and why.
 pub fn run(
     conditions: &[Condition],
-    seeds: Range<u64>,
+    seeds: Seeds,
     jobs: usize,
     progress: impl Fn() + Sync,
 ) -> Result<Vec<Row>, String> {
-    let sharing = sharing(conditions);
-    let drives: Vec<(Range<usize>, u64)> =
-        sharing.iter().flat_map(|group| seeds.clone().map(|seed| (group.clone(), seed))).collect();
-    let truths: Vec<Truth> =
-        conditions.iter().map(|c| Truth::of(&c.course.world, c.robot.body.radius)).collect();
-    let pool =
-        rayon::ThreadPoolBuilder::new().num_threads(jobs).build().map_err(|error| error.to_string())?;
+    let drives = drives(conditions, seeds);
+    let truths: Vec<Option<Truth>> = conditions.iter().map(truth_of).collect();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build().map_err(|error| error.to_string())?;
     let rows: Result<Vec<Vec<Row>>, String> = pool.install(|| {
         let rows_of = |(group, seed): (Range<usize>, u64)| {
             let rows = perform(conditions, (group, seed), &truths);
@@ -41,10 +37,14 @@ pub fn run(
     Ok(rows)
 }
 
-/// How many drives [`run`] makes of so many seeds.
+/// The drives that [`run`] makes: for each the conditions that see it, and its seed.
 #[must_use]
-pub fn drives(conditions: &[Condition], seeds: &Range<u64>) -> u64 {
-    sharing(conditions).len() as u64 * (seeds.end - seeds.start)
+pub fn drives(conditions: &[Condition], seeds: Seeds) -> Vec<(Range<usize>, u64)> {
+    let with_seeds = |group: Range<usize>| {
+        let count = seeds.count * conditions[group.start].times;
+        (seeds.first..seeds.first + count).map(move |seed| (group.clone(), seed))
+    };
+    sharing(conditions).into_iter().flat_map(with_seeds).collect()
 }
 
 /// Neighbouring conditions that see the same drives.
@@ -59,24 +59,55 @@ fn sharing(conditions: &[Condition]) -> Vec<Range<usize>> {
     groups
 }
 
-/// One drive, and what the mappers of all its conditions make of it.
+fn truth_of(condition: &Condition) -> Option<Truth> {
+    match &condition.ground {
+        Ground::Drive { course, robot } => Some(Truth::of(&course.world, robot.body.radius)),
+        Ground::Log(_) => None,
+    }
+}
+
+/// One drive, or one playing of a log, and what the mappers of all its conditions make of it.
 fn perform(
     conditions: &[Condition],
     (group, seed): (Range<usize>, u64),
-    truths: &[Truth],
+    truths: &[Option<Truth>],
 ) -> Result<Vec<Row>, String> {
+    let mut rows = Vec::new();
     let first = &conditions[group.start];
     let name = |problem| format!("{}, seed {seed}: {problem}", first.title());
-    let driven = drive(&first.course, &first.robot, seed).map_err(name)?;
-    let mut rows = Vec::new();
+    let driven = match &first.ground {
+        Ground::Drive { course, robot } => Some(drive(course, robot, seed).map_err(name)?),
+        Ground::Log(_) => None,
+    };
     for condition in group {
         let of = &conditions[condition];
-        let seen = driven.treated(of.treatment);
-        for (mapper, variant) in of.mappers.iter().enumerate() {
-            let mapping = Mapping::of(&seen, &variant.setup, seed);
-            let values = score(&seen, &mapping, &truths[condition]);
-            rows.push(Row { condition, mapper, seed, values });
-        }
+        let scores = match (&of.ground, &driven, &truths[condition]) {
+            (Ground::Log(log), ..) => of_log(of, log, seed),
+            (_, Some(driven), Some(truth)) => of_drive(of, driven, (truth, seed)),
+            _ => Vec::new(),
+        };
+        let row = |(mapper, values)| Row { condition, mapper, seed, values };
+        rows.extend(scores.into_iter().enumerate().map(row));
     }
     Ok(rows)
+}
+
+fn of_drive(condition: &Condition, driven: &Drive, (truth, seed): (&Truth, u64)) -> Vec<Values> {
+    let seen = driven.treated(condition.treatment);
+    let mapped = |variant: &Variant| {
+        let mapping = Mapping::of(seen.readings(), &variant.setup, seed);
+        score(&seen, &mapping, truth)
+    };
+    condition.mappers.iter().map(mapped).collect()
+}
+
+fn of_log(condition: &Condition, log: &Log, seed: u64) -> Vec<Values> {
+    let Treatment { odometry: odometry_noise, every } = condition.treatment;
+    let source = Source::Log { path: log.name.clone(), sha256: String::new(), every, odometry_noise };
+    let recording = log.recording.clone().varied(&SessionRecord::new(source, Vec::new(), seed));
+    let mapped = |variant: &Variant| {
+        let mapping = Mapping::of(recording.readings.iter(), &variant.setup, seed);
+        score_log(&recording, &mapping, &log.relations)
+    };
+    condition.mappers.iter().map(mapped).collect()
 }

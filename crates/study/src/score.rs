@@ -1,5 +1,6 @@
 //! What a run was worth: every measure of one mapper.
 
+mod log;
 mod odometry;
 mod places;
 mod surfaces;
@@ -7,9 +8,16 @@ mod way;
 
 use std::collections::BTreeMap;
 
-use cogmap_simulation::{Solids, World};
+use cogmap_geometry::DVec2;
+use cogmap_simulation::{Room, Solids, World};
 
-use crate::{Drive, Mapping, Measure, metrics::Walls};
+pub use log::score_log;
+pub(crate) use way::STRETCHES;
+
+use crate::{
+    Drive, Mapping, Measure,
+    metrics::{LONG, Walls},
+};
 
 /// The measures of one mapper in one run, by name.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,6 +28,8 @@ pub struct Values(BTreeMap<&'static str, f64>);
 pub struct Truth {
     /// Its straight walls.
     pub walls: Walls,
+    /// The outlines of its rooms, metres.
+    pub rooms: Vec<Vec<DVec2>>,
     /// Radius of the robot's footprint, metres.
     pub radius: f64,
 }
@@ -46,7 +56,9 @@ impl Truth {
     pub fn of(world: &World, radius: f64) -> Self {
         let Solids { segments, discs } = Solids::of(world);
         let posts: Vec<_> = discs.iter().map(|disc| disc.center).collect();
-        Self { walls: Walls::of(&segments, &posts), radius }
+        let outline = |room: &Room| room.outline.iter().copied().map(DVec2::from).collect();
+        let rooms = world.rooms.iter().map(outline).collect();
+        Self { walls: Walls::of(&segments, &posts), rooms, radius }
     }
 }
 
@@ -59,8 +71,9 @@ pub fn score(drive: &Drive, mapping: &Mapping, truth: &Truth) -> Values {
     way::score(&samples, &mut values);
     surfaces::score(&mapping.surfaces(drive, &truth.walls), (truth, &samples), &mut values);
     surfaces::score_way(mapping, (truth, &samples), &mut values);
-    odometry::score(drive, mapping, &mut values);
-    places::score(mapping, &mut values);
+    odometry::score(mapping, &mut values);
+    odometry::score_way(drive, mapping, &mut values);
+    places::score((drive, mapping), truth, &mut values);
     values
 }
 

@@ -1,20 +1,26 @@
 //! The thesis's experiments, and those that its claims ask for: a file each.
 
 pub(crate) mod cadence;
+pub(crate) mod claims;
+pub(crate) mod identity;
 pub(crate) mod independence;
 pub(crate) mod loop_a;
 pub(crate) mod loop_b;
 pub(crate) mod placement;
+pub(crate) mod propagation;
+pub(crate) mod relations;
+pub(crate) mod results;
 pub(crate) mod small;
+pub(crate) mod tour;
 
 use cogmap_mapping::{
     MapperSetup,
-    memory::{ConsensusParams, PerceptualParams},
+    memory::{ConsensusParams, MatchScope, PerceptualParams, ReferenceRule},
     traditional::{OdometryParams, TransformParams},
 };
 use cogmap_simulation::Robot;
 
-use crate::{Condition, Course, Request, Variant, condition::Treatment, worlds::world};
+use crate::{Condition, Course, Ground, Request, Treatment, Variant, world};
 
 /// The name of the wheels alone.
 pub(crate) const ODOMETRY: &str = "odometry";
@@ -22,6 +28,10 @@ pub(crate) const ODOMETRY: &str = "odometry";
 pub(crate) const TRANSFORM: &str = "transform";
 /// The name of the thesis's form.
 pub(crate) const PERCEPTUAL: &str = "perceptual";
+/// The name of the thesis's form before its remedy against bad references.
+pub(crate) const CLOSEST_PAIR: &str = "perceptual-closest-pair";
+/// The name of the thesis's form that compares a view with the whole map.
+pub(crate) const WHOLE_MAP: &str = "perceptual-whole-map";
 /// The name of our form.
 pub(crate) const CONSENSUS: &str = "consensus";
 /// The name of our form when it does not recognise places: what is said of a map's shape is said
@@ -41,6 +51,19 @@ pub(crate) fn transform() -> Variant {
 /// The thesis's form.
 pub(crate) fn perceptual() -> Variant {
     Variant::new(PERCEPTUAL, MapperSetup::Perceptual(PerceptualParams::default()))
+}
+
+/// The thesis's form with the rule that it had before the failure of Fig. 3.17.
+pub(crate) fn closest_pair() -> Variant {
+    let mut params = PerceptualParams::default();
+    params.reference.rule = ReferenceRule::ClosestPair;
+    Variant::new(CLOSEST_PAIR, MapperSetup::Perceptual(params))
+}
+
+/// The thesis's form that also compares a view with what it remembers from earlier.
+pub(crate) fn whole_map() -> Variant {
+    let params = PerceptualParams { scope: MatchScope::PreviousViewThenMfis, ..PerceptualParams::default() };
+    Variant::new(WHOLE_MAP, MapperSetup::Perceptual(params))
 }
 
 /// Our form.
@@ -73,21 +96,15 @@ pub(crate) fn grid(courses: &[Course], robots: &[Robot], mappers: &[Variant]) ->
     let pairs = courses.iter().flat_map(|course| robots.iter().map(move |robot| (course, robot)));
     pairs
         .map(|(course, robot)| Condition {
-            course: course.clone(),
-            robot: robot.clone(),
+            ground: Ground::Drive { course: course.clone(), robot: robot.clone() },
             treatment: Treatment::default(),
-            level: None,
             mappers: mappers.to_vec(),
+            times: 1,
         })
         .collect()
 }
 
-/// A condition for each level, on the same drives.
-pub(crate) fn levels(
-    base: &Condition,
-    levels: &[f64],
-    treatment: impl Fn(f64) -> Treatment,
-) -> Vec<Condition> {
-    let at = |&level: &f64| Condition { level: Some(level), treatment: treatment(level), ..base.clone() };
-    levels.iter().map(at).collect()
+/// A condition for each treatment, on the same drives.
+pub(crate) fn treated(base: &Condition, treatments: &[Treatment]) -> Vec<Condition> {
+    treatments.iter().map(|&treatment| Condition { treatment, ..base.clone() }).collect()
 }

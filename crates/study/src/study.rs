@@ -2,7 +2,7 @@ use std::sync::Arc;
 
 use cogmap_simulation::World;
 
-use crate::{Check, Condition, Outcome, studies};
+use crate::{Check, Condition, Log, Outcome, studies};
 
 /// An experiment that is run many times.
 pub struct Study {
@@ -14,8 +14,6 @@ pub struct Study {
     pub about: &'static str,
     /// How many seeds unless told otherwise.
     pub seeds: u64,
-    /// What its level is, if it varies something.
-    pub level: Option<&'static str>,
     /// The measures on screen, by name.
     pub shown: &'static [&'static str],
     /// What to run.
@@ -29,17 +27,27 @@ pub struct Study {
 pub struct Request {
     /// Other buildings than the study's own.
     pub worlds: Vec<Arc<World>>,
+    /// A recorded log with its relations.
+    pub log: Option<Arc<Log>>,
+    /// Factors of the noise that is added to the log's odometry, instead of the study's own.
+    pub noise: Vec<f64>,
 }
 
 impl Study {
     /// All studies, in the order of the thesis.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 12] = [
         studies::small::STUDY,
         studies::loop_b::STUDY,
         studies::placement::STUDY,
         studies::loop_a::STUDY,
+        studies::tour::STUDY,
+        studies::propagation::STUDY,
         studies::independence::STUDY,
         studies::cadence::STUDY,
+        studies::identity::STUDY,
+        studies::relations::STUDY,
+        studies::claims::STUDY,
+        studies::results::STUDY,
     ];
 
     /// The study of that name.

@@ -4,7 +4,7 @@ use cogmap_mapping::MapperSetup;
 use cogmap_simulation::Robot;
 use serde::Serialize;
 
-use crate::{Check, Condition, MEASURES, Measure, Outcome, Study, metrics::Estimate};
+use crate::{Check, Condition, Ground, MEASURES, Measure, Outcome, Study, metrics::Estimate};
 
 /// Which seeds were run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -23,8 +23,6 @@ pub struct Summary<'a> {
     about: &'static str,
     program: Program,
     seeds: Seeds,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    level: Option<&'static str>,
     checks: &'a [Check],
     groups: Vec<GroupSummary<'a>>,
     measures: &'static [Measure],
@@ -44,8 +42,9 @@ struct GroupSummary<'a> {
     world: &'a str,
     route: &'a str,
     robot: &'a str,
+    odometry: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
-    level: Option<f64>,
+    every: Option<f64>,
     mapper: &'a str,
     figures: BTreeMap<&'static str, Estimate>,
 }
@@ -62,28 +61,32 @@ impl<'a> Summary<'a> {
             about: study.about,
             program: Program { name: "cogmap", version: env!("CARGO_PKG_VERSION") },
             seeds,
-            level: study.level,
             checks,
             groups: outcome.groups().map(|group| GroupSummary::of(&group)).collect(),
             measures: &MEASURES,
-            robots: conditions
-                .iter()
-                .map(|condition| (condition.robot.name.as_str(), &condition.robot))
-                .collect(),
+            robots: conditions.iter().filter_map(robot_of).collect(),
             mappers: variants.map(|variant| (variant.label.as_str(), &variant.setup)).collect(),
         }
     }
 }
 
+fn robot_of(condition: &Condition) -> Option<(&str, &Robot)> {
+    match &condition.ground {
+        Ground::Drive { robot, .. } => Some((&robot.name, robot)),
+        Ground::Log(_) => None,
+    }
+}
+
 impl<'a> GroupSummary<'a> {
     fn of(group: &crate::Group<'a>) -> Self {
-        let Condition { course, robot, level, .. } = group.of();
+        let condition = group.of();
         let figure = |measure: &'static Measure| Some((measure.name, group.figure(measure)?));
         Self {
-            world: &course.world.name,
-            route: &course.route_name,
-            robot: &robot.name,
-            level: *level,
+            world: condition.place(),
+            route: condition.route(),
+            robot: condition.robot(),
+            odometry: condition.treatment.odometry,
+            every: condition.treatment.every,
             mapper: group.label(),
             figures: MEASURES.iter().filter_map(figure).collect(),
         }

@@ -1,5 +1,5 @@
 use cogmap_study::metrics::Estimate;
-use cogmap_study::{Check, Group, Kind, Measure, Outcome, Seeds, Study, Verdict};
+use cogmap_study::{Check, Claim, Group, Kind, Measure, Outcome, Seeds, Study, Verdict};
 
 use crate::table::Table;
 
@@ -30,7 +30,7 @@ fn groups(outcome: &Outcome, condition: usize, shown: &[&Measure]) -> String {
     table.render()
 }
 
-fn cell(group: &Group<'_>, measure: &Measure) -> String {
+pub(super) fn cell(group: &Group<'_>, measure: &Measure) -> String {
     let Some(figure) = group.figure(measure) else { return "–".to_owned() };
     written(figure, is_share(measure))
 }
@@ -79,20 +79,41 @@ fn legend(shown: &[&Measure]) -> String {
     )
 }
 
+/// Claim by claim: the verdict for each form and robot, and what it rests on.
+fn claims(checks: &[Check]) -> String {
+    let mut said = String::new();
+    let of = |check: &Check| check.claim.clone();
+    for of_statement in checks.chunk_by(|a, b| of(a).map(|c| c.id) == of(b).map(|c| c.id)) {
+        let Some(Claim { id, statement, .. }) = of_statement.first().and_then(of) else { continue };
+        said += &format!("\n{id}: {statement}\n");
+        for of_claim in of_statement.chunk_by(|a, b| a.claim == b.claim) {
+            let Some(Claim { form, robot, .. }) = of_claim.first().and_then(of) else { continue };
+            let whose = if form == "perceptual" { "the thesis's" } else { "ours, not Yeap's" };
+            said += &format!("  {}: {form} ({whose}), {robot} robot\n", Verdict::of_all(of_claim).word());
+            for line in criteria(of_claim).render().lines().skip(1) {
+                said += &format!("    {line}\n");
+            }
+        }
+    }
+    said + RULE
+}
+
+const RULE: &str = "  met: the figure itself lies where its criterion wants it. Supported: the whole 95 % interval does; \
+                    refuted: it lies on the other side;\n  undecided: it reaches to both sides, or nothing was run. A \
+                    claim is supported if every criterion is, and refuted if any is.\n";
+
 fn verdicts(checks: &[Check]) -> String {
+    if checks.iter().any(|check| check.claim.is_some()) { claims(checks) } else { criteria(checks).render() + RULE }
+}
+
+fn criteria(checks: &[Check]) -> Table {
     let mut table = Table::of_words(&["verdict", "met", "figure", "criterion"]);
     for check in checks {
-        let verdict = match check.verdict {
-            Verdict::Supported => "supported",
-            Verdict::Refuted => "refuted",
-            Verdict::Undecided => "undecided",
-        };
         let met = if check.met { "yes" } else { "no" };
         let figure = check.figure.map_or("no runs".to_owned(), |figure| written(figure, check.share));
-        table.row(vec![verdict.into(), met.into(), figure, check.criterion.clone()]);
+        table.row(vec![check.verdict.word().into(), met.into(), figure, check.criterion.clone()]);
     }
-    table.render()
-        + "  met: the figure itself; supported, refuted: its whole 95 % interval; undecided: more runs are needed.\n"
+    table
 }
 
 #[cfg(test)]

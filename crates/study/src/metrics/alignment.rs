@@ -30,13 +30,12 @@ pub fn by_first_view(samples: &[Sample]) -> Option<Pose> {
 #[allow(clippy::cast_precision_loss, reason = "a run has a few thousand views")]
 pub fn by_whole_way(samples: &[Sample]) -> Option<Pose> {
     let count = samples.len() as f64;
-    let mean = |place: fn(&Sample) -> DVec2| samples.iter().map(place).sum::<DVec2>() / count;
-    let (in_map, in_world): (fn(&Sample) -> DVec2, fn(&Sample) -> DVec2) =
-        (|s| s.map_from_robot.position, |s| s.world_from_robot.position);
-    let (map_middle, world_middle) = (mean(in_map), mean(in_world));
+    let map_middle = samples.iter().map(|s| s.map_from_robot.position).sum::<DVec2>() / count;
+    let world_middle = samples.iter().map(|s| s.world_from_robot.position).sum::<DVec2>() / count;
     let (mut dot, mut cross) = (0.0, 0.0);
     for sample in samples {
-        let (from, to) = (in_map(sample) - map_middle, in_world(sample) - world_middle);
+        let from = sample.map_from_robot.position - map_middle;
+        let to = sample.world_from_robot.position - world_middle;
         dot += from.dot(to);
         cross += from.perp_dot(to);
     }

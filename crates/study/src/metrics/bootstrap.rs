@@ -28,7 +28,7 @@ pub fn median(values: &[f64]) -> Option<f64> {
     sorted.sort_by(f64::total_cmp);
     let half = sorted.len() / 2;
     let upper = *sorted.get(half)?;
-    Some(if sorted.len() % 2 == 0 { f64::midpoint(sorted[half - 1], upper) } else { upper })
+    Some(if sorted.len().is_multiple_of(2) { f64::midpoint(sorted[half - 1], upper) } else { upper })
 }
 
 /// The median with its interval (percentile bootstrap).
@@ -53,7 +53,7 @@ pub fn median_estimate(values: &[f64]) -> Option<Estimate> {
             })
         };
         let half = drawn.len() / 2;
-        if drawn.len() % 2 == 0 { Some(f64::midpoint(at(half - 1)?, at(half)?)) } else { at(half) }
+        if drawn.len().is_multiple_of(2) { Some(f64::midpoint(at(half - 1)?, at(half)?)) } else { at(half) }
     })
 }
 

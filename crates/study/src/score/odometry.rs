@@ -10,10 +10,10 @@ const TELLING: f64 = 0.5;
 const CROSSING: f64 = 15.0 * cogmap_geometry::trig::PI / 180.0;
 
 /// How often odometry decided, and whether it had to.
-pub(super) fn score(drive: &Drive, mapping: &Mapping, values: &mut Values) {
+pub(super) fn score(mapping: &Mapping, values: &mut Values) {
     let reports = &mapping.reports;
     values.put("views", count(reports.len()));
-    values.put("views_stored", count(reports.iter().filter(|report| !report.placed.is_empty()).count()));
+    values.put("views_stored", count(reports.iter().filter(|report| report.stored).count()));
     if mapping.mapper.is_odometry() {
         return;
     }
@@ -28,7 +28,13 @@ pub(super) fn score(drive: &Drive, mapping: &Mapping, values: &mut Values) {
         values.put(name, count(such.len()));
         values.put(name_excused, count(such.iter().filter(|k| excused(k)).count()));
     }
-    values.put("longest_fallback", longest_fallback(drive, mapping));
+}
+
+/// How far odometry carried the robot at most.
+pub(super) fn score_way(drive: &Drive, mapping: &Mapping, values: &mut Values) {
+    if !mapping.mapper.is_odometry() {
+        values.put("longest_fallback", longest_fallback(drive, mapping));
+    }
 }
 
 /// Whether a view could tell where the robot is: two surfaces in it stand across each other.

@@ -2,7 +2,7 @@ use super::{
     NO_RECOGNITION, PERCEPTUAL, consensus, courses, grid, loop_b, no_recognition, odometry, perceptual,
     robots, transform,
 };
-use crate::{Bound, Check, Outcome, Study, measure::Measure};
+use crate::{Bound, Check, Outcome, Study};
 
 /// E4: environment A (§3.2.3, Fig. 3.19–3.21).
 pub(crate) const STUDY: Study = Study {
@@ -15,7 +15,6 @@ pub(crate) const STUDY: Study = Study {
             end, the way, and whether odometry decided only where what was in view could not: nothing, or \
             parallel walls.",
     seeds: 200,
-    level: None,
     shown: &[
         "shape",
         "gap",
@@ -53,11 +52,10 @@ fn judge(outcome: &Outcome) -> Vec<Check> {
                 ));
             }
             for name in ["fallbacks_excused", "partly_excused"] {
-                let Some(measure) = Measure::named(name) else { continue };
                 let what = if name == "partly_excused" { "partly by odometry" } else { "by odometry" };
                 checks.push(Check::share(
                     format!("{mapper}: at least 95 % of the views placed {what} had no other choice"),
-                    group.figure(measure),
+                    group.figure_of(name),
                     Bound::AtLeast(0.95),
                 ));
             }
