@@ -54,7 +54,7 @@ const fn part(name: &'static str, head: &'static str, of: &'static str, meaning:
 
 /// Every measure, in the order of the columns.
 #[rustfmt::skip]
-pub const MEASURES: [Measure; 65] = [
+pub const MEASURES: [Measure; 66] = [
     rate("arrived", "arrived", "the person at the controls came to the end of the route"),
     median("way", "way", "m", "length of the true way"),
     median("steps", "steps", "", "movement steps"),
@@ -64,7 +64,7 @@ pub const MEASURES: [Measure; 65] = [
     median("surfaces_long", "long", "", "surfaces in the map of at least 1 m"),
     median("shape", "shape", "m", "rms distance of the way in the map from the true one, laid on it as well as can be"),
     median("shape_share", "shape %", "%", "the same as a share of the way"),
-    median("side_angle", "sides", "°", "rms turn of the walls of at least 3 m, the map laid by its whole way"),
+    median("side_angle", "sides", "°", "rms turn of the walls of at least 2 m, the map laid by its whole way"),
     median("gap", "gap", "m", "closing gap: how far from where it believes to be the robot stands at the end"),
     median("gap_share", "gap %", "%", "the same as a share of the way"),
     median("heading_gap", "turned", "°", "how far the robot is turned from where it believes to look at the end"),
@@ -81,6 +81,7 @@ pub const MEASURES: [Measure; 65] = [
     median("length_shown", "shown", "m", "metres of true wall that the long surfaces show"),
     rate("blocked", "blocked", "a surface of the map stands in the way that the robot drove"),
     median("blocked_steps", "bl. steps", "", "steps of the driven way that would run into a surface of the map"),
+    rate("blocked_then", "bl. then", "the same, of what the map held when the robot drove there"),
     median("weak", "weak", "", "views placed by a reference whose place along its own line was a guess"),
     median("fallbacks", "fallbacks", "", "views placed by odometry because nothing was recognised"),
     part("fallbacks_excused", "excused", "fallbacks", "those in which what was in view could not tell where the robot is: nothing, or parallel walls"),

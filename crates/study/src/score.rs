@@ -69,8 +69,10 @@ pub fn score(drive: &Drive, mapping: &Mapping, truth: &Truth) -> Values {
     let samples = mapping.samples(drive);
     values.put("arrived", f64::from(u8::from(drive.arrived)));
     way::score(&samples, &mut values);
-    surfaces::score(&mapping.surfaces(drive, &truth.walls), (truth, &samples), &mut values);
-    surfaces::score_way(mapping, (truth, &samples), &mut values);
+    let surfaces = mapping.surfaces(drive, &truth.walls);
+    surfaces::score(&surfaces, (truth, &samples), &mut values);
+    surfaces::score_room(&surfaces, (truth, &samples), &mut values);
+    surfaces::score_way(drive, mapping, truth, &mut values);
     odometry::score(mapping, &mut values);
     odometry::score_way(drive, mapping, &mut values);
     places::score((drive, mapping), truth, &mut values);

@@ -1,6 +1,7 @@
 //! The thesis's experiments, and those that its claims ask for: a file each.
 
 pub(crate) mod cadence;
+pub(crate) mod calibration;
 pub(crate) mod claims;
 pub(crate) mod identity;
 pub(crate) mod independence;

@@ -35,7 +35,8 @@ pub struct Request {
 
 impl Study {
     /// All studies, in the order of the thesis.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
+        studies::calibration::STUDY,
         studies::small::STUDY,
         studies::loop_b::STUDY,
         studies::placement::STUDY,

@@ -3,6 +3,9 @@ use cogmap_study::{Check, Claim, Group, Kind, Measure, Outcome, Seeds, Study, Ve
 
 use crate::table::Table;
 
+/// How many measures stand side by side.
+const ACROSS: usize = 5;
+
 /// What came out of a study, for people.
 pub(crate) fn of(study: &Study, seeds: Seeds, outcome: &Outcome, checks: &[Check]) -> String {
     let last = seeds.first + seeds.count - 1;
@@ -19,15 +22,19 @@ pub(crate) fn of(study: &Study, seeds: Seeds, outcome: &Outcome, checks: &[Check
     said
 }
 
+/// The figures of a condition, a row a mapper; more measures than fit on a line go below.
 fn groups(outcome: &Outcome, condition: usize, shown: &[&Measure]) -> String {
-    let heads: Vec<&str> =
-        std::iter::once("mapper").chain(shown.iter().map(|measure| measure.head)).collect();
-    let mut table = Table::new(&heads);
-    for group in outcome.groups().filter(|group| group.condition == condition) {
-        let cells = shown.iter().map(|measure| cell(&group, measure));
-        table.row(std::iter::once(group.label().to_owned()).chain(cells).collect());
+    let mut said = String::new();
+    for shown in shown.chunks(ACROSS) {
+        let heads: Vec<&str> = std::iter::once("mapper").chain(shown.iter().map(|measure| measure.head)).collect();
+        let mut table = Table::new(&heads);
+        for group in outcome.groups().filter(|group| group.condition == condition) {
+            let cells = shown.iter().map(|measure| cell(&group, measure));
+            table.row(std::iter::once(group.label().to_owned()).chain(cells).collect());
+        }
+        said += &table.render();
     }
-    table.render()
+    said
 }
 
 pub(super) fn cell(group: &Group<'_>, measure: &Measure) -> String {
@@ -73,10 +80,7 @@ fn legend(shown: &[&Measure]) -> String {
         let unit = if measure.unit.is_empty() { String::new() } else { format!(" ({})", measure.unit) };
         table.row(vec![measure.head.to_owned(), format!("{}{unit}", measure.meaning)]);
     }
-    format!(
-        "{}  Medians, rates and ratios over all runs, in brackets their 95 % intervals.\n",
-        table.render()
-    )
+    format!("{}  Medians, rates and ratios over all runs, in brackets their 95 % intervals.\n", table.render())
 }
 
 /// Claim by claim: the verdict for each form and robot, and what it rests on.

@@ -3,7 +3,7 @@ use cogmap_geometry::{Pose, Segment, trig};
 use super::{Mapped, Sample, alignment::by_whole_way};
 
 /// A wall this long is one of the sides that a building's shape rests on, metres.
-const MAIN_WALL: f64 = 3.0;
+const MAIN_WALL: f64 = 2.0;
 /// A surface that was seen turned from its wall by more than this shows something else as well, radians.
 const ASKEW: f64 = 5.0 * trig::PI / 180.0;
 

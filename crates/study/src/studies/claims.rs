@@ -120,7 +120,7 @@ impl<'a> Asked<'a> {
             let sides = group.figure_of("side_angle");
             [
                 Check::rate("shape error at most 1 % of the way in at least 90 % of runs", shape, Bound::AtLeast(0.9)),
-                Check::figure("walls of at least 3 m turned by at most 5° (median of rms)", sides, Bound::AtMost(5.0)),
+                Check::figure("walls of at least 2 m turned by at most 5° (median of rms)", sides, Bound::AtMost(5.0)),
             ]
         };
         self.on_loop(self.shape, 1).into_iter().flat_map(check).collect()
