@@ -21,8 +21,13 @@ export class BenchPage {
 
   /** How many surfaces the memory holds, as the page tells it. */
   async surfaces(): Promise<number> {
-    const text = await this.memory.innerText({ timeout: 20_000 });
+    const text = await this.memory.first().innerText({ timeout: 20_000 });
     return Number(/([\d,]+) surfaces?/.exec(text)?.[1]?.replaceAll(',', '') ?? 0);
+  }
+
+  /** One of the chips that say what is shown. */
+  chip(name: string) {
+    return this.page.getByRole('button', { name, exact: true });
   }
 
   /** Metres driven, as the page tells it. */

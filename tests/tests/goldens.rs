@@ -60,6 +60,11 @@ fn a_memory_with_every_mark_looks_as_it_did() {
 }
 
 #[test]
+fn a_network_with_every_mark_looks_as_it_did() {
+    compare_both_themes("sample-network", &sample::network(), [1200.0, 800.0]);
+}
+
+#[test]
 fn a_telephone_is_wide_enough() {
     compare_both_themes("sample-narrow", &sample::memory(), [390.0, 600.0]);
 }

@@ -1,3 +1,13 @@
+import type { Happening } from './wasm/cogmap_wasm';
+
+/** What each mapper is, in a line. */
+const MAPPERS: Record<string, string> = {
+  perceptual: 'Yeap’s perceptual mapping as the thesis programs it, flaws and all',
+  consensus: 'Ours: all recognised surfaces together say where the robot is',
+  transform: 'The traditional way: views put together by a corrected movement',
+  odometry: 'Views put together by what the wheels say, uncorrected',
+};
+
 /** Every word on the page. Nothing else under `src` holds text for people. */
 export const strings = {
   name: 'Cogmap',
@@ -9,7 +19,6 @@ export const strings = {
     title: 'Set-up',
     world: 'World',
     robot: 'Robot',
-    mapper: 'Mapper',
     seed: 'Seed',
   },
 
@@ -17,9 +26,13 @@ export const strings = {
     open: 'Open…',
     openHint: 'Open a recorded log (CARMEN), a session or a world. Dropping a file on the page does the same.',
     save: 'Save',
-    picture: { name: 'Picture', hint: 'both views with their legends, as a PNG' },
+    picture: { name: 'Picture', hint: 'the world and the memories with their legends, as a PNG' },
     session: { name: 'Session', hint: 'opening it gives exactly this run again' },
-    map: { name: 'Map', hint: 'every surface and the path, as JSON' },
+    map: {
+      name: 'Map',
+      of: (mapper: string) => `Map by ${mapper}`,
+      hint: 'surfaces, exits, local spaces and the path, as JSON',
+    },
     drop: 'Drop it here',
     dropHint: 'A recorded log (CARMEN, gzipped or not), a session or a world',
     reading: (name: string) => `Reading ${name}…`,
@@ -35,21 +48,38 @@ export const strings = {
   },
   memory: {
     title: 'The robot’s memory',
-    subtitle: 'as it believes',
+    subtitle: (mapper: string | undefined) => (mapper === undefined ? 'as it believes' : `by ${mapper}`),
     picture:
-      'The map in the robot’s memory: every surface drawn where it was placed when it was first seen, coloured by the view that first saw it.',
+      'The map in the robot’s memory: every surface drawn where it was placed when it was first seen, the exits between local spaces, and the network that they make.',
   },
-  rival: {
-    title: (mapper: string) => `The same log by ${mapper}`,
-    subtitle: 'for comparison',
-    picture: 'What another mapper makes of the same recorded log.',
+  wheels: {
+    title: 'The log',
+    subtitle: 'by its odometry alone',
+    picture: 'The way that the robot’s wheels counted, which the mappers correct.',
+  },
+
+  shown: {
+    views: 'Show',
+    world: 'world',
+    mapper: (name: string) => MAPPERS[name] ?? `What ${name} makes of the same run`,
+    layers: 'In the memories',
+    colours: 'Colour by',
+    by: { view: 'view', asr: 'local space', age: 'age' },
+    exits: 'exits',
+    exitsHint: 'The narrow places between local spaces, found after the robot went through',
+    network: 'network',
+    networkHint: 'Local spaces by number, and the ways through exits that join them',
+    truth: 'truth',
+    truthHint: 'Lay the world over the memories',
   },
 
   facts: {
     travelled: (metres: number) => `${metres.toFixed(1)} m driven`,
     collisions: (count: number) => (count === 1 ? '1 bump' : `${count} bumps`),
-    memory: (surfaces: number, views: number) =>
+    memory: ({ surfaces, views, asrs }: { surfaces: number; views: number; asrs: number | undefined }) => [
       `${count(surfaces, 'surface', 'surfaces')} from ${count(views, 'view', 'views')}`,
+      ...(asrs === undefined ? [] : [count(asrs, 'local space', 'local spaces')]),
+    ],
     off: (metres: number, degrees: number) => `off by ${metres.toFixed(2)} m, ${Math.round(degrees)}°`,
     offHint: 'How far the robot is from where it believes it is',
   },
@@ -68,7 +98,23 @@ export const strings = {
     placed: (surfaces: number) =>
       surfaces === 0 ? 'nothing new' : `${count(surfaces, 'new surface', 'new surfaces')} placed`,
     label: 'What the robot just did',
+    happened: 'What happened',
   },
+
+  /** What happened in a mind; local spaces and exits bear the numbers that they have in the map. */
+  happened: (what: Happening) => {
+    switch (what.kind) {
+      case 'exit':
+        return `Went through exit ${what.exit} into local space ${what.asr}`;
+      case 'new_asr':
+        return `Local space ${what.asr} opened behind exit ${what.exit}`;
+      case 'loop_closed':
+        return `Back in local space ${what.asr}: a loop is closed`;
+      case 'recognised':
+        return 'A place known before, recognised';
+    }
+  },
+  by: (mapper: string, said: string) => `${mapper}: ${said}`,
 
   log: {
     mapping: (name: string, done: number, all: number) =>
@@ -104,8 +150,6 @@ export const strings = {
     withTouch: 'tap anywhere in the world',
   },
 
-  truth: 'Lay the truth over the memory',
-
   zoom: { title: 'Zoom', in: 'Zoom in', out: 'Zoom out', fit: 'Show everything' },
 
   theme: { dark: 'Switch to dark', light: 'Switch to light' },
@@ -116,7 +160,7 @@ export const strings = {
     intro:
       'On the left the building as it is; on the right the robot’s memory of it, put together from what its laser sees. Its odometry is wrong, and nothing ever tells it the truth.',
     pointing:
-      'Click or tap in the world to send the robot there: it turns, drives straight and takes a view. Drag to move both views, scroll or pinch to zoom.',
+      'Click or tap in the world to send the robot there: it turns, drives straight and takes a view. Drag to move all views, scroll or pinch to zoom.',
     keys: 'Keys',
     single: 'Use single-letter shortcuts',
     close: 'Close',
@@ -128,7 +172,8 @@ export const strings = {
       { keys: ['R'], does: 'start over' },
       { keys: ['[', ']'], does: 'slower, faster' },
       { keys: ['+', '−', '0'], does: 'zoom in, zoom out, show everything' },
-      { keys: ['O'], does: 'lay the truth over the memory' },
+      { keys: ['C'], does: 'colour by view, local space or age' },
+      { keys: ['E', 'N', 'O'], does: 'show exits, the network, the truth' },
       { keys: ['T'], does: 'light or dark' },
       { keys: ['Esc'], does: 'close what is open, or cancel a log' },
       { keys: ['?'], does: 'this list' },

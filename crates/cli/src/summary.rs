@@ -2,7 +2,7 @@ use std::path::Path;
 
 use cogmap_formats::run::labels;
 use cogmap_geometry::Pose;
-use cogmap_mapping::{Event, MapperSetup, Placement};
+use cogmap_mapping::{Event, Mapper, MapperSetup, Placement};
 use cogmap_simulation::{MapperJournal, Session, Source, Stamped};
 
 use crate::table::Table;
@@ -64,7 +64,8 @@ fn collisions(mappers: &[MapperJournal]) -> usize {
 }
 
 fn heads(session: &Session) -> Vec<&'static str> {
-    let mut heads = vec!["mapper", "views", "surfaces", "weak", "fallbacks", "path"];
+    let mut heads =
+        vec!["mapper", "views", "surfaces", "weak", "fallbacks", "ASRs", "exits", "loops", "path"];
     if session.world_from_robot().is_some() {
         heads.push("off by");
     }
@@ -83,12 +84,16 @@ fn cells(session: &Session, index: usize, label: &str) -> Vec<String> {
         MapperSetup::Odometry(_) => ["–".to_owned(), "–".to_owned()],
         _ => [Placement::WeakReference, Placement::Odometry].map(|by| placed(by).to_string()),
     };
+    let [asrs, exits, loops] = places(mapper, written);
     let mut cells = vec![
         if label.is_empty() { setup.name() } else { label }.to_owned(),
         written.reports.len().to_string(),
-        mapper.mfis().surfaces().len().to_string(),
+        mapper.mfis().remembered().count().to_string(),
         weak,
         fallbacks,
+        asrs,
+        exits,
+        loops,
         format!("{:.1} m", length(&written.estimate)),
     ];
     if let Some((metres, radians)) = error_at_end(&journal.truth, &written.estimate) {
@@ -97,12 +102,22 @@ fn cells(session: &Session, index: usize, label: &str) -> Vec<String> {
     cells
 }
 
+/// Local spaces, exits and closed loops; dashes for a mapper that does not know what a space is.
+fn places(mapper: &Mapper, written: &MapperJournal) -> [String; 3] {
+    let Some(network) = mapper.network() else { return ["–", "–", "–"].map(str::to_owned) };
+    let loops = written.events.iter().filter(|(_, event)| matches!(event, Event::LoopClosed { .. }));
+    [network.asrs().len(), network.exits().len(), loops.count()].map(|count| count.to_string())
+}
+
 fn legend(session: &Session) -> String {
     let mut legend = String::from(
         "  views      scans that the mapper took into its map (the others it lets pass)
   surfaces   pieces of wall and furniture in its map
   weak       views placed by a surface whose place along its own line was a guess
   fallbacks  views in which nothing known was recognised, placed by odometry
+  ASRs       local spaces that it shares its map out among (– where a mapper does not)
+  exits      narrow places between them that the robot went through
+  loops      times that it found itself back in a space that it knew
   path       length of the way as the mapper has it\n",
     );
     if session.world_from_robot().is_some() {

@@ -27,7 +27,7 @@ pub(crate) fn draw(scene: &mut Scene, mind: &Mapper, journal: &MapperJournal, op
     }
     let Some(network) = mind.network() else { return };
     if options.network {
-        draw_edges(scene, mind, network, &loops(journal));
+        draw_edges(scene, mind, network, &loops(journal, network));
     }
     if options.exits && !network.exits().is_empty() {
         draw_exits(scene, mind, network.exits());
@@ -48,9 +48,9 @@ fn item(mark: PlaceMark, shape: Shape) -> Item {
 }
 
 /// The exits that closed a loop.
-fn loops(journal: &MapperJournal) -> BTreeSet<ExitId> {
+fn loops(journal: &MapperJournal, network: &Network) -> BTreeSet<ExitId> {
     let exit = |(_, event): &(usize, Event)| match event {
-        Event::LoopClosed { exit, .. } => Some(*exit),
+        Event::LoopClosed { exit, .. } => Some(network.exit(*exit)?.id),
         _ => None,
     };
     journal.events.iter().filter_map(exit).collect()
@@ -73,8 +73,7 @@ fn draw_exits(scene: &mut Scene, mind: &Mapper, exits: &[Exit]) {
 }
 
 fn draw_edges(scene: &mut Scene, mind: &Mapper, network: &Network, loops: &BTreeSet<ExitId>) {
-    let place =
-        |id: AsrId| network.asrs().iter().find(|asr| asr.id == id).map(|asr| middle(asr, network, mind));
+    let place = |id: AsrId| Some(middle(network.asr(id)?, network, mind));
     let mut shown = [false; 2];
     for exit in network.exits() {
         let [Some(from), Some(to)] = exit.between.map(place) else { continue };

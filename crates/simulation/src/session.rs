@@ -69,17 +69,15 @@ impl Session {
         }
     }
 
-    /// The same run, at the same moment, as other mappers take it in: each is fed the very readings
-    /// that this session's were.
+    /// The same run before its first reading, for other mappers: each will be fed the very readings that
+    /// this session's were.
     ///
     /// # Errors
     /// None for a session that runs: its world has been judged already.
     pub fn remapped(&self, mappers: Vec<MapperSetup>) -> Result<Self, Vec<Problem>> {
         let record = SessionRecord { mappers, ..self.record.clone() };
         let feed = self.feed.from_the_beginning(&record)?;
-        let mut session = Self::begin(record, feed);
-        session.jump(self.position());
-        Ok(session)
+        Ok(Self::begin(record, feed))
     }
 
     /// One turn of the world: a tick of a drive, a reading of a log. `false` where a log is at its end.

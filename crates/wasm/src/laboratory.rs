@@ -135,7 +135,7 @@ impl Laboratory {
         Ok(())
     }
 
-    /// Lets other mappers take in the run, from its beginning to this moment and from here on.
+    /// Lets other mappers take in the run: a drive goes on from this moment, a log from its beginning.
     ///
     /// # Errors
     /// What is no mapper.

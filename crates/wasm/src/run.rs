@@ -131,9 +131,11 @@ impl Run {
         self.session.journal().mappers.first().map_or(0, |mapper| mapper.reports.len())
     }
 
-    /// Shows the run so far, and what follows, to other mappers.
+    /// Shows the run to other mappers: a drive stays where it is, a log, which may be long, begins anew.
     pub(crate) fn remap(&mut self, mappers: Vec<MapperSetup>) -> Result<(), Failure> {
+        let position = if self.robot().is_some() { self.session.position() } else { 0 };
         self.session = self.session.remapped(mappers)?;
+        self.session.jump(position);
         Ok(())
     }
 

@@ -12,6 +12,9 @@ export type Action =
   | 'out'
   | 'fit'
   | 'truth'
+  | 'exits'
+  | 'network'
+  | 'colours'
   | 'theme'
   | 'help';
 
@@ -39,6 +42,9 @@ const ACTIONS: Record<string, Action> = {
   '−': 'out',
   '0': 'fit',
   o: 'truth',
+  e: 'exits',
+  n: 'network',
+  c: 'colours',
   t: 'theme',
   '?': 'help',
 };

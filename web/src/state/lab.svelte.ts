@@ -1,12 +1,15 @@
 import { proxy, transfer, wrap, type Remote } from 'comlink';
 import { strings } from '../strings';
 import type { Bench } from '../worker/bench';
-import type { Choice, Notice, Offer, Pace, Saved, View } from '../worker/protocol';
+import type { Choice, Layers, Notice, Offer, Pace, Saved, View } from '../worker/protocol';
 import type { Look, Order, Status } from '../wasm/cogmap_wasm';
 import { save } from './save';
 
 /** Speeds to choose from. */
 export const PACES: Pace[] = [1, 2, 4, 8, 16, 32, 'full'];
+
+/** What surfaces can be coloured by. */
+export const COLOURS: Layers['colours'][] = ['view', 'asr', 'age'];
 
 /** The building that the page opens on. */
 const OPENING_WORLD = 'office';
@@ -16,12 +19,14 @@ const OPENING_VIEWS = 6;
 /** The one owner of what the page shows; the run itself lives in a worker. */
 export class Lab {
   offer = $state.raw<Offer>();
-  choice = $state.raw<Choice>({ world: OPENING_WORLD, robot: '', mapper: '', seed: 1 });
+  choice = $state.raw<Choice>({ world: OPENING_WORLD, robot: '', mappers: [], seed: 1 });
   status = $state.raw<Status>();
   playing = $state(false);
   pace = $state<Pace>(2);
-  /** Whether the truth is laid over the memory. */
-  truth = $state(false);
+  /** What is shown of the memories. */
+  layers = $state.raw<Layers>();
+  /** Whether the world is shown beside the memories. */
+  world = $state(true);
   /** Whether somebody has driven yet: the invitation to do so has done its work. */
   driven = $state(false);
   /** Name of the file being read. */
@@ -38,6 +43,14 @@ export class Lab {
     this.status?.source === 'log' && this.status.position < this.status.end ? this.status : undefined,
   );
 
+  /** The mappers whose memories are shown. */
+  readonly mappers = $derived(this.status?.memories.map(({ mapper }) => mapper) ?? []);
+  /** The views on the page; at first the memory, until it is known how many there are. */
+  readonly views = $derived<View[]>([
+    ...(this.world ? (['world'] as const) : []),
+    ...(this.status?.memories.map(({ view }) => view) ?? (['first'] as const)),
+  ]);
+
   private readonly bench: Remote<Bench>;
 
   constructor() {
@@ -46,16 +59,16 @@ export class Lab {
     this.bench = wrap<Bench>(worker);
   }
 
-  /** Hands the canvases to the worker and begins the first run. */
-  async begin(left: HTMLCanvasElement, right: HTMLCanvasElement): Promise<void> {
-    const [one, two] = [left.transferControlToOffscreen(), right.transferControlToOffscreen()];
+  /** Begins the first run. */
+  async begin(): Promise<void> {
     const listen = proxy((notice: Notice) => this.hear(notice));
     try {
-      const offer = await this.bench.begin(transfer(one, [one]), transfer(two, [two]), listen);
-      const { robot, mapper, seed } = offer.choices;
+      const offer = await this.bench.begin(listen);
+      const { robot, mapper, seed, layers } = offer.choices;
       const world = offer.worlds.find(({ file }) => file === OPENING_WORLD) ?? offer.worlds[0];
       this.offer = offer;
-      await this.start({ world: world?.file ?? '', robot, mapper, seed }, OPENING_VIEWS);
+      this.layers = layers;
+      await this.start({ world: world?.file ?? '', robot, mappers: [mapper], seed }, OPENING_VIEWS);
     } catch (error) {
       this.failure = reason(error);
     }
@@ -65,6 +78,42 @@ export class Lab {
   async start(change: Partial<Choice> = {}, views = 0): Promise<void> {
     this.choice = { ...this.choice, ...change };
     await this.ask(() => this.bench.start(this.choice, views));
+  }
+
+  /** Hands the canvas of a view to the worker. */
+  mount(view: View, canvas: HTMLCanvasElement): void {
+    const handed = canvas.transferControlToOffscreen();
+    void this.bench.mount(view, transfer(handed, [handed]));
+  }
+
+  unmount(view: View): void {
+    void this.bench.unmount(view);
+  }
+
+  /** Shows another mapper's memory of the same run, or takes it away; one always stays. */
+  toggleMapper(name: string): void {
+    const others = this.mappers.filter((mapper) => mapper !== name);
+    const mappers = others.length < this.mappers.length ? others : [...others, name];
+    if (mappers.length === 0) return;
+    this.choice = { ...this.choice, mappers };
+    void this.ask(() => this.bench.remap(mappers));
+  }
+
+  toggleWorld = (): void => {
+    this.world = !this.world;
+  };
+
+  /** Shows more or less of the memories. */
+  show(change: Partial<Layers>): void {
+    if (!this.layers) return;
+    this.layers = { ...this.layers, ...change };
+    void this.bench.show(this.layers);
+  }
+
+  /** Colours the surfaces by the next thing that there is to colour them by. */
+  nextColours(): void {
+    const next = COLOURS.indexOf(this.layers?.colours ?? 'view') + 1;
+    this.show({ colours: COLOURS[next % COLOURS.length] ?? 'view' });
   }
 
   /** Runs the same world or file with another set-up. */
@@ -122,10 +171,6 @@ export class Lab {
   next = (): void => void this.bench.next();
   jump = (position: number): void => void this.bench.jump(position);
   drag = (x: number, y: number): void => void this.bench.drag(x, y);
-  toggleTruth = (): void => {
-    this.truth = !this.truth;
-    void this.bench.showTruth(this.truth);
-  };
   fit = (): void => void this.bench.fit();
 
   setPace(pace: Pace): void {
@@ -153,7 +198,7 @@ export class Lab {
 
   savePicture = (): Promise<void> => this.keep(() => this.bench.picture());
   saveSession = (): Promise<void> => this.keep(() => this.bench.session());
-  saveMap = (): Promise<void> => this.keep(() => this.bench.map());
+  saveMap = (mapper: number): Promise<void> => this.keep(() => this.bench.map(mapper));
 
   private async keep(make: () => Promise<Saved>): Promise<void> {
     await this.ask(async () => save(await make()));

@@ -1,4 +1,4 @@
-import init, { Laboratory, type Look, type Order, type SourceKind } from '../wasm/cogmap_wasm';
+import init, { Laboratory, type Layers, type Look, type Order, type SourceKind } from '../wasm/cogmap_wasm';
 import { Clock } from './clock';
 import { Easel } from './easel';
 import type { Brought, Choice, Notice, Offer, Pace, Saved, View } from './protocol';
@@ -22,18 +22,28 @@ export class Bench {
   /** Drives are watched, logs are mapped as fast as it goes, until somebody wants it otherwise. */
   private readonly paces: Record<SourceKind, Pace> = { world: 2, log: 'full' };
   private source: SourceKind = 'world';
-  private truth = false;
+  private layers: Layers | undefined;
 
-  /** Loads the engine and takes over the two canvases. */
-  async begin(
-    left: OffscreenCanvas,
-    right: OffscreenCanvas,
-    listen: (notice: Notice) => void,
-  ): Promise<Offer> {
+  /** Loads the engine. */
+  async begin(listen: (notice: Notice) => void): Promise<Offer> {
     await init();
-    this.easel.take(left, right);
     this.listen = listen;
-    return { choices: Laboratory.choices(), worlds: worlds.map(({ file, name }) => ({ file, name })) };
+    const choices = Laboratory.choices();
+    this.layers = choices.layers;
+    return { choices, worlds: worlds.map(({ file, name }) => ({ file, name })) };
+  }
+
+  /** Takes over the canvas of a view that has come to the page. */
+  mount(view: View, canvas: OffscreenCanvas): void {
+    this.easel.take(view, canvas);
+    this.refresh();
+  }
+
+  /** Forgets a view that has left the page. */
+  unmount(view: View): void {
+    this.easel.release(view);
+    this.laboratory?.close(view);
+    this.refresh();
   }
 
   /**
@@ -43,9 +53,9 @@ export class Bench {
   start(choice: Choice, views = 0): void {
     const world = worlds.find(({ file }) => file === choice.world);
     if (!world) throw new Error(`There is no world called ${choice.world}.`);
-    const { robot, mapper, seed } = choice;
+    const { robot, mappers, seed } = choice;
     const file = `${world.file}.world.json`;
-    const laboratory = new Laboratory({ world: world.text, file, robot, mapper, seed });
+    const laboratory = new Laboratory({ world: world.text, file, robot, mappers, seed });
     for (let view = 0; view < views; view += 1) laboratory.advance_to_next_view();
     this.use(laboratory);
     this.before?.free();
@@ -63,6 +73,13 @@ export class Bench {
     this.read(this.brought, choice);
   }
 
+  /** Shows the same run to other mappers: a drive goes on where it is, a log is mapped again. */
+  remap(mappers: string[]): void {
+    this.mounted().remap(mappers);
+    if (this.source === 'log') this.play(true);
+    else this.refresh();
+  }
+
   /** Goes back to the run before the log. */
   cancel(): void {
     if (!this.before) return;
@@ -78,7 +95,7 @@ export class Bench {
     this.play(true);
   }
 
-  /** Sends the robot to the place that is seen at a point of the left view. */
+  /** Sends the robot to the place that is seen at a point of the view of the world. */
   reach(x: number, y: number): void {
     if (this.laboratory?.reach(x, y)) this.play(true);
   }
@@ -130,9 +147,9 @@ export class Bench {
     this.paint();
   }
 
-  showTruth(truth: boolean): void {
-    this.truth = truth;
-    this.laboratory?.show_truth(truth);
+  show(layers: Layers): void {
+    this.layers = layers;
+    this.laboratory?.show(layers);
     this.refresh();
   }
 
@@ -142,7 +159,7 @@ export class Bench {
   }
 
   zoom(factor: number, view?: View, x?: number, y?: number): void {
-    this.laboratory?.zoom(factor, view ?? 'left', x, y);
+    this.laboratory?.zoom(factor, view ?? 'world', x, y);
     this.refresh();
   }
 
@@ -151,7 +168,7 @@ export class Bench {
     this.refresh();
   }
 
-  /** Both views as one picture. */
+  /** The world and every memory as one picture. */
   async picture(): Promise<Saved> {
     const blob = await this.easel.picture(this.mounted());
     return { name: `${this.mounted().status().stem}.png`, blob };
@@ -162,9 +179,11 @@ export class Bench {
     return this.json('session', (laboratory) => laboratory.save_session());
   }
 
-  /** The map as a file. */
-  map(): Saved {
-    return this.json('map', (laboratory) => laboratory.map_json(0));
+  /** The map of one of the mappers, counted from 0, as a file. */
+  map(mapper: number): Saved {
+    const { memories } = this.mounted().status();
+    const kind = memories.length > 1 ? `map.${memories[mapper]?.mapper}` : 'map';
+    return this.json(kind, (laboratory) => laboratory.map_json(mapper));
   }
 
   private json(kind: string, write: (laboratory: Laboratory) => string): Saved {
@@ -180,8 +199,8 @@ export class Bench {
 
   private read([first, second]: Brought[], choice: Choice): void {
     if (!first) return;
-    const { robot, mapper, seed } = choice;
-    const opened = Laboratory.open({ name: first.name, robot, mapper, seed }, first.bytes, second?.bytes);
+    const { robot, mappers, seed } = choice;
+    const opened = Laboratory.open({ name: first.name, robot, mappers, seed }, first.bytes, second?.bytes);
     const left = this.laboratory;
     this.laboratory = undefined;
     this.use(opened);
@@ -192,12 +211,9 @@ export class Bench {
   private use(laboratory: Laboratory): void {
     this.laboratory?.free();
     this.laboratory = laboratory;
-    laboratory.show_truth(this.truth);
+    if (this.layers) laboratory.show(this.layers);
     this.source = laboratory.status().source;
-    for (const view of ['left', 'right'] as const) {
-      const { width, height } = this.easel.size(view);
-      laboratory.resize(view, width, height);
-    }
+    for (const [view, { width, height }] of this.easel.views) laboratory.resize(view, width, height);
     this.play(true);
   }
 

@@ -16,7 +16,7 @@ interface Size {
   height: number;
 }
 
-/** Holds the two canvases and paints on them. */
+/** Holds the canvases of the views and paints on them. */
 export class Easel {
   look: Look = 'light';
   /** Whether the canvases show something older than the run. */
@@ -26,14 +26,22 @@ export class Easel {
   private density = 1;
   private rested = 0;
 
-  take(left: OffscreenCanvas, right: OffscreenCanvas): void {
-    this.sheets.set('left', sheet(left)).set('right', sheet(right));
-    for (const [view, { width, height }] of this.sizes) this.resize(view, width, height, this.density);
+  /** Takes over the canvas of a view that has come to the page. */
+  take(view: View, canvas: OffscreenCanvas): void {
+    this.sheets.set(view, sheet(canvas));
+    const size = this.sizes.get(view);
+    if (size) this.resize(view, size.width, size.height, this.density);
   }
 
-  /** In pixels of the page. */
-  size(view: View): Size {
-    return this.sizes.get(view) ?? { width: 1, height: 1 };
+  /** Lets go of the canvas of a view that has left the page. */
+  release(view: View): void {
+    this.sheets.delete(view);
+    this.sizes.delete(view);
+  }
+
+  /** The views on the page, in pixels of the page. */
+  get views(): Iterable<[View, Size]> {
+    return this.sizes;
   }
 
   /** `width` and `height` in pixels of the page, of which each has `density` pixels of the screen. */
@@ -63,10 +71,11 @@ export class Easel {
     this.stale = false;
   }
 
-  /** Both views with titles and legends, side by side. */
+  /** The world and every memory with titles and legends, side by side. */
   async picture(laboratory: Laboratory): Promise<Blob> {
     const { side, density } = PICTURE;
-    const canvas = new OffscreenCanvas(2 * side * density, side * density);
+    const views = 1 + laboratory.status().memories.length;
+    const canvas = new OffscreenCanvas(views * side * density, side * density);
     laboratory.picture(sheet(canvas).context, this.look, side, density);
     return canvas.convertToBlob({ type: 'image/png' });
   }

@@ -1,6 +1,6 @@
 import type { Choices, Status } from '../wasm/cogmap_wasm';
 
-export type { View } from '../wasm/cogmap_wasm';
+export type { Layers, View } from '../wasm/cogmap_wasm';
 
 /** How fast time passes: a factor of real time, or as fast as the machine goes. */
 export type Pace = number | 'full';
@@ -9,7 +9,8 @@ export type Pace = number | 'full';
 export interface Choice {
   world: string;
   robot: string;
-  mapper: string;
+  /** Each shows its memory; the first tells the story. */
+  mappers: string[];
   seed: number;
 }
 
