@@ -191,20 +191,39 @@ impl Cell<'_> {
     }
 }
 
-/// The text in lines no wider than `room` pixels, broken between words.
+/// The text in lines no wider than `room` pixels, broken between words, but not before a unit.
 fn wrapped(text: &str, size: f64, room: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
+    for word in unbreakable(text) {
         match lines.last_mut() {
-            Some(line) if text_width(line, size) + text_width(" ", size) + text_width(word, size) <= room => {
+            Some(line) if text_width(line, size) + text_width(" ", size) + text_width(&word, size) <= room => {
                 line.push(' ');
-                line.push_str(word);
+                line.push_str(&word);
             }
-            _ => lines.push(word.to_owned()),
+            _ => lines.push(word),
         }
     }
     lines
 }
+
+/// The words of a text, units with their numbers.
+fn unbreakable(text: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        let is_unit = UNITS.contains(&word.trim_end_matches(['.', ',', ';', ':', ')']));
+        match words.last_mut() {
+            Some(number) if is_unit && number.ends_with(|last: char| last.is_ascii_digit()) => {
+                number.push(' ');
+                number.push_str(word);
+            }
+            _ => words.push(word.to_owned()),
+        }
+    }
+    words
+}
+
+/// What does not begin a line.
+const UNITS: [&str; 3] = ["m", "cm", "m²"];
 
 #[cfg(test)]
 mod tests {
@@ -249,6 +268,12 @@ mod tests {
         let lines = wrapped(text, TEXT, 200.0);
         assert!(lines.len() > 2 && lines.iter().all(|line| text_width(line, TEXT) <= 200.0));
         assert_eq!(lines.join(" "), text);
+    }
+
+    #[test]
+    fn a_number_keeps_its_unit() {
+        let lines = wrapped("The robot believes itself 2.7 m, or more, from where it is.", TEXT, 200.0);
+        assert!(lines.len() > 1 && lines.iter().all(|line| !line.starts_with("m,") && !line.ends_with("2.7")));
     }
 
     #[test]

@@ -135,6 +135,7 @@ impl Drive {
             angle_increment: 0.5 * trig::PI / 180.0,
             range_max: RANGE,
             ranges: (0..=360).map(range).collect(),
+            labels: Vec::new(),
         }
     }
 }

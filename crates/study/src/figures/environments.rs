@@ -1,14 +1,16 @@
+use cogmap_scene::Sample;
+
 use super::{
     Drawing, Runs,
     draw::ring,
     maps::{displaced, map_of, off_in_words, one, panel_of, plan_of},
     outings::{ENVIRONMENT_A, LARGE_BAD, LONG_OFFICE, SMALL_BAD},
-    runs::{Outing, Run},
+    runs::{Outing, Run, UNAIDED},
 };
 
 /// The mapper of the thesis and ours, and how figures call them.
 const MAPPERS: [(&str, &str); 2] =
-    [("perceptual", "As the thesis programs it"), ("consensus", "Our own mapper")];
+    [("perceptual", "As the thesis programs it"), (UNAIDED, "Our own mapper")];
 /// A surface that lies farther than this from its wall is displaced, metres.
 const DISPLACED: f64 = 0.5;
 
@@ -42,7 +44,7 @@ pub(super) fn placement(runs: &mut Runs) -> Result<Drawing, String> {
         panel.scene.changing.extend(rings);
     }
     drawing.outcome = format!(
-        "Long surfaces more than {DISPLACED} m off: {} and {}{}.",
+        "Long surfaces more than {DISPLACED} m off their wall: {} by the thesis’s program, {} by ours{}.",
         counts[0],
         counts[1],
         if counts.iter().any(|&count| count > 0) { "; the farthest is encircled" } else { "" }
@@ -57,7 +59,12 @@ fn both_maps(run: &Run, columns: usize) -> Result<Drawing, String> {
         let off = off_in_words(run, mapper)?;
         panels.push(panel_of(format!("{heading}: {off} off in the end"), map_of(run, mapper)));
     }
-    let source = format!("perceptual and consensus, {}", run.words());
+    for entry in panels.iter_mut().flat_map(|panel| &mut panel.scene.legend) {
+        if entry.sample == Sample::Run {
+            entry.text = "first seen early … late".to_owned();
+        }
+    }
+    let source = format!("perceptual, and consensus without recognition of places, {}", run.words());
     Ok(Drawing { panels, columns, outcome: String::new(), source })
 }
 

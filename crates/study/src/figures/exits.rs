@@ -130,7 +130,10 @@ impl Chart {
             }
             ticks
         };
-        let (x, y) = (metres(self.plot.to.x, 1.0), metres(self.plot.to.y, 2.0));
+        let (x, mut y) = (metres(self.plot.to.x, 1.0), metres(self.plot.to.y, 2.0));
+        if let Some((_, text)) = y.last_mut() {
+            text.insert(0, '≥');
+        }
         let mut items = self.plot.axes(&x, &y, ["way, m", "wideness, m"]);
         items.push(self.plot.curve(self.curve.iter().copied()));
         items

@@ -35,7 +35,8 @@ fn sighting(a: [f64; 2], b: [f64; 2]) -> Surface {
 /// Fig. 3.4, and the search that uses the error.
 pub(super) fn pair(runs: &mut Runs) -> Result<Drawing, String> {
     let (first, second) = (sighting([0.0, 0.0], [3.6, 0.35]), sighting([0.3, 0.62], [3.75, 1.45]));
-    let error = pair_error(&second, &Tracked::seen(&first, None), &Matching::default());
+    let gates = Matching::default();
+    let PairError { d1, d2, phi, .. } = pair_error(&second, &Tracked::seen(&first, None), &gates);
     let run = runs.of(&SMALL_BAD)?;
     let (_, journal) = run.mind("transform")?;
     let corrections =
@@ -48,7 +49,6 @@ pub(super) fn pair(runs: &mut Runs) -> Result<Drawing, String> {
         (Sample::Line(MEASURE), "what is measured"),
         (Sample::Line(role(Annotation::Curve)), "mean error of all pairs"),
     ];
-    let PairError { d1, d2, phi, .. } = error;
     Ok(Drawing {
         panels: vec![
             panel("A pair", measured(&first, &second), &legend[..3]),
@@ -56,9 +56,11 @@ pub(super) fn pair(runs: &mut Runs) -> Result<Drawing, String> {
         ],
         columns: 2,
         outcome: format!(
-            "Left d1 = {d1:.2} m, d2 = {d2:.2} m and φ = {}; the error is {:.3} m² rad.",
+            "Left d1 = {d1:.2} m, d2 = {d2:.2} m and φ = {}, larger than is taken for one surface: that goes up to \
+             {:.1} m and {:.0}°.",
             degrees(phi),
-            error.error
+            gates.distance,
+            gates.angle.to_degrees()
         ),
         source: format!("the program’s own pair error; right, step {step} in {}", run.words()),
     })

@@ -71,7 +71,7 @@ pub(super) fn spaces_and_exits(runs: &mut Runs) -> Result<Drawing, String> {
             panel_of("The building", plan_of(&run)),
             panel_of("The network that the robot makes of it", network_alone(&run, OURS)),
         ],
-        columns: 1,
+        columns: 2,
         outcome: format!("Here it knows {}.", counted(network)),
         source: source(&run),
     })

@@ -1,6 +1,6 @@
 //! The drives that figures are drawn from; those of the thesis's experiments bear its numbers.
 
-use super::runs::{Building, Outing};
+use super::runs::{Building, Outing, UNAIDED};
 
 /// §3.1.4, a small environment: 6 m in 8 steps.
 pub(super) const SMALL_GOOD: Outing = Outing {
@@ -22,7 +22,7 @@ pub(super) const LARGE_GOOD: Outing = Outing {
     mappers: &["transform"],
 };
 pub(super) const LARGE_BAD: Outing =
-    Outing { robot: "bad", mappers: &["transform", "perceptual", "consensus"], ..LARGE_GOOD };
+    Outing { robot: "bad", mappers: &["transform", "perceptual", "consensus", UNAIDED], ..LARGE_GOOD };
 
 /// §3.2.3, surface placement: 15 m in 34 steps.
 pub(super) const LONG_OFFICE: Outing = Outing {
@@ -30,7 +30,7 @@ pub(super) const LONG_OFFICE: Outing = Outing {
     building: Building::Named("long-office"),
     route: "tour",
     robot: "bad",
-    mappers: &["perceptual", "consensus"],
+    mappers: &["perceptual", UNAIDED],
 };
 
 /// §3.2.3, large environment A: a loop of 120 m.
@@ -88,7 +88,8 @@ pub(super) const SIDE_ROOM: Outing = Outing {
     building: Building::Made(
         r#"{"format": "cogmap-world/1", "name": "Side room", "start": {"position": [0.8, 2.2], "heading_deg": 0},
         "walls": [[[0, 0], [9, 0], [9, 5.4], [0, 5.4], [0, 0]],
-            [[4.4, 5.4], [4.4, 4.2]], [[4.4, 3.2], [4.4, 1.7], [9, 1.7]]],
+            [[4.34, 5.4], [4.34, 4.2], [4.46, 4.2], [4.46, 5.4]],
+            [[9, 1.7], [4.34, 1.7], [4.34, 3.2], [4.46, 3.2], [4.46, 1.82], [9, 1.82]]],
         "boxes": [{"center": [7.2, 4.9], "size": [1.2, 0.6]}, {"center": [8.2, 0.3], "size": [0.7, 0.5]},
             {"center": [1.0, 4.9], "size": [1.0, 0.6]}],
         "routes": {"in": [[1.6, 2.6], [2.4, 3.1], [3.2, 3.6], [4.0, 3.7], [4.8, 3.7], [5.6, 3.6], [6.3, 3.4]]}}"#,

@@ -36,7 +36,7 @@ impl Plot {
         let end = self.corner + self.size;
         let middle = self.corner + self.size * 0.5;
         items.push(word(DVec2::new(middle.x, self.corner.y - 2.3 * gap), names[0]));
-        items.push(word(DVec2::new(middle.x, end.y + gap), names[1]));
+        items.push(word(DVec2::new(self.corner.x + 0.1 * self.size.x, end.y + gap), names[1]));
         items
     }
 

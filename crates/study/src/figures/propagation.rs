@@ -34,9 +34,10 @@ pub(super) fn of_turns(_: &mut Runs) -> Result<Drawing, String> {
     let mut items = vec![Item::new(Role::Path, Shape::Polyline(path))];
     items.extend(angles(&walls, &turns));
     for (view, (wall, report)) in walls.iter().zip(&reports).enumerate() {
-        let (robot_at, ahead) = (report.map_from_robot, top(*wall) - wall.midpoint());
+        let robot_at = report.map_from_robot;
+        let (low, down) = (wall.midpoint() * 2.0 - top(*wall), wall.midpoint() - top(*wall));
         items.push(lines(Role::SurfaceOfView(view), [*wall]));
-        items.push(word(top(*wall) + ahead.normalize_or_zero() * 0.25, format!("view {}", view + 1)));
+        items.push(word(low + down.normalize_or_zero() * 0.2, format!("view {}", view + 1)));
         items.push(robot(Role::BelievedRobot, robot_at));
         items.push(word(robot_at.position - DVec2::new(0.0, 0.5), format!("R{}", view + 1)));
     }
@@ -70,7 +71,7 @@ fn angles(walls: &[Segment], turns: &[f64]) -> Vec<Item> {
     let Some(first) = walls.first() else { return items };
     for (index, (wall, turn)) in walls.iter().zip(turns).enumerate().skip(1) {
         let Some(meeting) = meeting(*first, *wall) else { continue };
-        let radius = 0.7 + 0.35 * index as f64;
+        let radius = 0.5 + 0.28 * index as f64;
         let up = |wall: Segment| {
             let end = top(wall);
             trig::atan2(end.y - meeting.y, end.x - meeting.x)

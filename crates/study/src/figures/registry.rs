@@ -65,15 +65,15 @@ pub(super) const FIGURES: &[Figure] = &[
     figure(
         "2.8",
         "The MFIS after a round trip",
-        "The map of the same tour in the colours of its spaces. Nothing in it was moved when the loop \
-         was closed: only the network knows.",
+        "The map of the same tour in the colours of its spaces. Nothing in it is moved when a loop is \
+         closed: only the network knows.",
         network::memory_of_a_round_trip,
     ),
     figure(
         "3.1",
         "From a scan to surfaces",
         "The points of one scan and the straight surfaces fitted to them. Walls become long surfaces; \
-         the legs of a chair become a handful of short ones that say little: debris.",
+         the feet of a swivel chair, encircled, become a few short ones that say little: debris.",
         scan::surfaces,
     ),
     figure(
@@ -107,8 +107,8 @@ pub(super) const FIGURES: &[Figure] = &[
     figure(
         "3.6",
         "The bad robot in a small environment",
-        "The same office and mapper with the bad robot. Surfaces that were not recognised are drawn \
-         twice; one such pair is encircled.",
+        "The same office and mapper with the bad robot. A surface that is not recognised again is \
+         drawn twice.",
         traditional::small_bad,
     ),
     figure(
@@ -155,15 +155,15 @@ pub(super) const FIGURES: &[Figure] = &[
     figure(
         "3.13",
         "A narrow passage separates two spaces",
-        "Where the way is narrow between two wide parts, there is an exit, and another space begins. \
-         Where nothing is narrow there is none.",
+        "Where the way is narrow between two wide parts there is an exit, and another space begins; \
+         where nothing is narrow there is none.",
         exits::narrow_or_not,
     ),
     figure(
         "3.14",
         "How wide it is along the way",
         "On its way the robot measures how far it is from what is on its left to what is on its \
-         right. Where that has a minimum it has gone through an exit.",
+         right. A minimum of that is an exit, found once it has been crossed.",
         exits::wideness,
     ),
     figure(
@@ -218,7 +218,8 @@ pub(super) const FIGURES: &[Figure] = &[
     figure(
         "3.22",
         "The MFIS of large environment B",
-        "The loop on which the traditional mapper was tried, with the bad robot.",
+        "The loop on which the traditional mapper was tried, with the bad robot, mapped without any \
+         correction.",
         environments::map_b,
     ),
     figure(

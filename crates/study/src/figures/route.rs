@@ -90,6 +90,11 @@ pub(super) fn through_the_network(runs: &mut Runs) -> Result<Drawing, String> {
     Ok(Drawing { panels: vec![panel_of("", scene)], columns: 1, outcome, source: source(&run) })
 }
 
+/// Whether a label is the number of one of the spaces.
+fn is_number_of(label: &Shape, spaces: &[AsrId]) -> bool {
+    matches!(label, Shape::Label { text, .. } if spaces.iter().any(|asr| *text == asr.0.to_string()))
+}
+
 /// Fig. 2.3.
 pub(super) fn through_one_space(runs: &mut Runs) -> Result<Drawing, String> {
     let run = runs.of(&TOUR)?;
@@ -113,6 +118,7 @@ pub(super) fn through_one_space(runs: &mut Runs) -> Result<Drawing, String> {
         Role::Place(
             PlaceMark::Surface(id) | PlaceMark::Debris(id) | PlaceMark::Floor(id) | PlaceMark::Node(id),
         ) => here(id),
+        Role::Place(PlaceMark::Number) => is_number_of(&item.shape, trio),
         _ => false,
     });
     scene.changing.clear();
@@ -122,6 +128,9 @@ pub(super) fn through_one_space(runs: &mut Runs) -> Result<Drawing, String> {
     let place = |mark| Role::Place(mark);
     scene.still.push(lines(place(PlaceMark::ExitRim), all.iter().copied()));
     scene.still.push(lines(place(PlaceMark::Exit), all.iter().copied()));
+    for end in all.iter().flat_map(|exit| [exit.a, exit.b]) {
+        scene.still.push(Item::new(place(PlaceMark::Exit), Shape::Signs(vec![end])));
+    }
     let ends = crossings.iter().map(|exit| exit.midpoint()).collect::<Vec<_>>();
     scene.still.push(arrow(Annotation::Movement, &ends));
     scene.legend = vec![

@@ -1,7 +1,7 @@
 use std::{collections::BTreeMap, rc::Rc};
 
 use cogmap_geometry::{DVec2, Pose};
-use cogmap_mapping::{Mapper, MapperSetup, StepReport};
+use cogmap_mapping::{Mapper, MapperSetup, StepReport, memory::ConsensusParams};
 use cogmap_simulation::{Driver, MapperJournal, Robot, Session, SessionRecord, Source, World};
 
 use crate::worlds;
@@ -67,7 +67,7 @@ impl Runs {
         let route = world.routes.get(outing.route).cloned().unwrap_or_default();
         let route: Vec<DVec2> = route.into_iter().map(DVec2::from).collect();
         let mut driver = Driver::new(&world, &robot, &route)?;
-        let mappers = outing.mappers.iter().filter_map(|name| MapperSetup::named(name)).collect();
+        let mappers = outing.mappers.iter().filter_map(|name| setup(name)).collect();
         let record = SessionRecord::new(Source::world(world, robot), mappers, self.seed);
         let mut session = begin(record)?;
         while let Some(command) = session.world_from_robot().and_then(|pose| driver.next_command(pose)) {
@@ -79,6 +79,19 @@ impl Runs {
         }
         Ok(Run { session, outing: *outing })
     }
+}
+
+/// Our mapper as it is where figures are about the shape of the map: a recognised place would hide how far
+/// the map has drifted.
+pub(super) const UNAIDED: &str = "consensus without recognition";
+
+fn setup(name: &str) -> Option<MapperSetup> {
+    if name != UNAIDED {
+        return MapperSetup::named(name);
+    }
+    let mut params = ConsensusParams::default();
+    params.recognition.on = false;
+    Some(MapperSetup::Consensus(Box::new(params)))
 }
 
 impl Building {

@@ -67,5 +67,5 @@ fn cluster(debris: &[&Surface]) -> Option<(DVec2, f64)> {
     let members: Vec<DVec2> = around(middle(densest)).flat_map(|s| [s.segment.a, s.segment.b]).collect();
     let center = members.iter().fold(DVec2::ZERO, |sum, &point| sum + point) / members.len() as f64;
     let radius = members.iter().map(|point| point.distance(center)).fold(0.0, f64::max);
-    Some((center, radius + 0.15))
+    Some((center, radius + 0.3))
 }

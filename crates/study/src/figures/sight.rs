@@ -9,6 +9,7 @@ use cogmap_scene::{Annotation, Item, PlaceMark, Role, Sample, Shape};
 use super::{
     Drawing, Runs,
     draw::{dashed, lines, panel, robot, role, word},
+    maps::{map_of, one},
     outings::SIDE_ROOM,
     runs::Run,
 };
@@ -28,7 +29,10 @@ pub(super) fn across_the_exit(runs: &mut Runs) -> Result<Drawing, String> {
     let run = runs.of(&SIDE_ROOM)?;
     let (mapper, journal) = run.mind(MAPPER)?;
     let network = mapper.network().ok_or("this mapper knows no local spaces")?;
-    let exit = network.exits().first().ok_or("no exit was found")?;
+    let Some(exit) = network.exits().first() else {
+        let outcome = "In this run no exit was found.".to_owned();
+        return Ok(one(map_of(&run, MAPPER), outcome, format!("the perceptual mapper, {}", run.words())));
+    };
     let crossed = Crossed { run: &run, mapper, network, exit };
     let view = |step: usize| journal.reports.get(step).ok_or("the robot took no such view");
     let (before, after) = (view(exit.crossed)?, view(exit.step)?);
@@ -46,7 +50,7 @@ pub(super) fn across_the_exit(runs: &mut Runs) -> Result<Drawing, String> {
     })
 }
 
-fn legend(exit: &Exit) -> [(Sample, &'static str); 6] {
+fn legend(exit: &Exit) -> [(Sample, &'static str); 7] {
     let [old, new] = exit.between.map(|asr| Sample::Line(Role::Place(PlaceMark::Surface(asr.0))));
     [
         (Sample::Robot(Role::BelievedRobot), "R1, before the exit"),
@@ -55,6 +59,7 @@ fn legend(exit: &Exit) -> [(Sample, &'static str); 6] {
         (new, "belongs to the new space"),
         (Sample::Exit, "exit"),
         (Sample::Line(role(Annotation::Sight)), "line of sight through the exit"),
+        (Sample::Line(Role::Truth), "the world"),
     ]
 }
 
@@ -99,7 +104,7 @@ impl Crossed<'_> {
         let seen_before = behind.iter().filter(|surface| surface.step <= self.exit.crossed);
         let sights = seen_before.map(|surface| Segment::new(r1.position, self.line(surface).midpoint()));
         let through = sights.filter(|sight| sight.crossing(exit).is_some());
-        let along = exit.direction().unwrap_or(DVec2::Y) * 3.0;
+        let along = exit.direction().unwrap_or(DVec2::Y) * 2.2;
         let infinite = Segment::new(exit.a - along, exit.b + along);
         let [old, new] = self.exit.between.map(|asr| Role::Place(PlaceMark::Surface(asr.0)));
         let stays = self.known_then(after).filter(|surface| !self.is_behind(surface));
@@ -107,10 +112,11 @@ impl Crossed<'_> {
         let mark = |mark: PlaceMark, shape: Shape| Item::new(Role::Place(mark), shape);
         vec![
             lines(role(Annotation::Axis), dashed(infinite, 0.15)),
-            lines(role(Annotation::Sight), through),
+            lines(Role::Truth, self.run.session.solids().iter().flat_map(|solids| solids.segments.clone())),
             lines(old, stays.map(|surface| self.line(surface))),
             lines(new, behind.iter().map(|surface| self.line(surface))),
             mark(PlaceMark::ExitRim, Shape::Segments(vec![exit])),
+            lines(role(Annotation::Sight), through),
             mark(PlaceMark::Exit, Shape::Segments(vec![exit])),
             mark(PlaceMark::Exit, Shape::Signs(vec![exit.a, exit.b])),
             robot(Role::BelievedRobot, r1),

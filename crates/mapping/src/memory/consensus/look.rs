@@ -156,6 +156,7 @@ mod tests {
             angle_increment: trig::PI / 180.0,
             range_max: 20.0,
             ranges: ranges.collect(),
+            labels: Vec::new(),
         };
         Look::of(&scan).seen_from(at)
     }
