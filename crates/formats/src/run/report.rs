@@ -1,4 +1,4 @@
-use cogmap_mapping::{Event, MapperSetup, Placement};
+use cogmap_mapping::{Event, FallbackRun, MapperSetup, Placement, fallback_runs};
 use cogmap_simulation::{MapperJournal, Robot, Session, Source, Stamped};
 use serde::Serialize;
 
@@ -60,7 +60,10 @@ struct MapperNote<'a> {
     #[serde(skip_serializing_if = "str::is_empty")]
     label: &'a str,
     views: usize,
+    /// Of these, the views of which the map took in what was new.
+    views_stored: usize,
     surfaces: usize,
+    forgotten: usize,
     /// Metres of all stored surfaces together.
     surface_length: f64,
     matches: usize,
@@ -70,6 +73,8 @@ struct MapperNote<'a> {
     fallbacks: usize,
     /// Surfaces that it has forgotten since.
     forgotten: usize,
+    /// The stretches that these make up, and where each ended.
+    fallback_runs: Vec<FallbackRun>,
     frames: usize,
     recognised: usize,
     /// Mappers that do not share their map out among local spaces have none of these three.
@@ -148,7 +153,9 @@ fn mapper_note<'a>(session: &'a Session, index: usize, label: &'a str) -> Option
         name: parameters.name(),
         label,
         views: journal.reports.len(),
+        views_stored: journal.reports.iter().filter(|report| report.stored).count(),
         surfaces: surfaces.len(),
+        forgotten: surfaces.len() - mapper.mfis().remembered().count(),
         surface_length: surfaces.iter().map(|surface| surface.segment.length()).sum(),
         matches: journal.reports.iter().map(|report| report.matches.len()).sum(),
         references: placed_by(Placement::Reference) + placed_by(Placement::WeakReference),
@@ -156,6 +163,7 @@ fn mapper_note<'a>(session: &'a Session, index: usize, label: &'a str) -> Option
         partly_by_odometry: placed_by(Placement::PartlyOdometry),
         fallbacks: placed_by(Placement::Odometry),
         forgotten: surfaces.len() - mapper.mfis().remembered().count(),
+        fallback_runs: if mapper.is_odometry() { Vec::new() } else { fallback_runs(&journal.reports) },
         frames: mapper.mfis().frames().len(),
         recognised: journal.reports.iter().filter(|report| report.recalled.is_some()).count(),
         asrs: network.map(|network| network.asrs().len()),

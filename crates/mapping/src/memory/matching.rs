@@ -22,15 +22,6 @@ pub struct Matching {
     pub label_reach: f64,
 }
 
-impl Matching {
-    /// The error of a pair that only just counts as one.
-    #[must_use]
-    pub fn error_at_gates(&self) -> f64 {
-        let end = self.distance + self.distance_floor;
-        end * end * (self.angle + self.angle_floor)
-    }
-}
-
 impl Default for Matching {
     fn default() -> Self {
         Self {
@@ -73,11 +64,25 @@ pub struct Match {
 /// nothing about where the object ends, so its distance is measured across the line only.
 #[must_use]
 pub fn pair_error(seen: &Surface, known: &Tracked, params: &Matching) -> PairError {
-    let d1 = end_distance(seen, known, 0);
-    let d2 = end_distance(seen, known, 1);
-    let phi = normalize_angle(seen.segment.heading() - known.segment.heading()).abs();
+    let (d1, d2) = (end_distance(seen, known, 0), end_distance(seen, known, 1));
+    fit(d1, d2, turned(seen, known), params)
+}
+
+/// The error of a pair that passes the gates. Most pairs fail at their first end.
+fn error_within(gates: &Matching, seen: &Surface, known: &Tracked, params: &Matching) -> Option<PairError> {
+    let near = |end: usize| Some(end_distance(seen, known, end)).filter(|&d| d <= gates.distance);
+    let (d1, d2) = (near(0)?, near(1)?);
+    let phi = turned(seen, known);
+    (phi <= gates.angle).then(|| fit(d1, d2, phi, params))
+}
+
+fn fit(d1: f64, d2: f64, phi: f64, params: &Matching) -> PairError {
     let error = (d1 + params.distance_floor) * (d2 + params.distance_floor) * (phi + params.angle_floor);
     PairError { d1, d2, phi, error }
+}
+
+fn turned(seen: &Surface, known: &Tracked) -> f64 {
+    normalize_angle(seen.segment.heading() - known.segment.heading()).abs()
 }
 
 fn end_distance(seen: &Surface, known: &Tracked, end: usize) -> f64 {
@@ -110,10 +115,8 @@ pub fn match_views(
     for (seen, surface) in current.iter().enumerate() {
         for (previous, known) in projected.iter().enumerate() {
             let Some(gates) = gates(surface.label, known.label, params) else { continue };
-            let fit = pair_error(surface, known, params);
-            if fit.d1.max(fit.d2) <= gates.distance && fit.phi <= gates.angle {
-                pairs.push(Pair { seen, previous, fit });
-            }
+            let fit = error_within(&gates, surface, known, params);
+            pairs.extend(fit.map(|fit| Pair { seen, previous, fit }));
         }
     }
     let partners = best_partners(pairs, current.len(), previous.len()).into_iter();

@@ -120,3 +120,32 @@ impl Perceptual {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use cogmap_geometry::{DVec2, Segment};
+
+    use super::*;
+    use crate::perception::{End, Surface};
+
+    #[test]
+    fn what_is_forgotten_is_no_candidate_and_comes_back_under_a_new_name() {
+        let wall = |x: f64| {
+            let segment = Segment::new(DVec2::new(x, -1.0), DVec2::new(x, 1.0));
+            let (ends, beams) = ([End::True; 2], [0, 9]);
+            Surface { segment, ends, beams, points: 10, residual: 0.0, range: x, incidence: 0.3, label: None }
+        };
+        for scope in [MatchScope::PreviousView, MatchScope::PreviousViewThenMfis] {
+            let mut mapper = Perceptual::new(&PerceptualParams { scope, ..PerceptualParams::default() });
+            let view = View { surfaces: vec![wall(2.0), wall(4.0)] };
+            mapper.integrate(view.clone(), 0.0, Pose::IDENTITY);
+            mapper.memory.forget(&[SurfaceId(0)]);
+            let report = mapper.integrate(view, 1.0, Pose::IDENTITY);
+            assert_eq!(report.matches.iter().map(|m| m.known).collect::<Vec<_>>(), [SurfaceId(1)]);
+            assert_eq!(report.placed, [SurfaceId(2)]);
+            let mfis = mapper.memory().mfis();
+            assert!(!mfis.remembers(SurfaceId(0)) && mfis.forgotten_in(SurfaceId(0)) == Some(0));
+            assert_eq!(mfis.surfaces().len(), 3);
+        }
+    }
+}

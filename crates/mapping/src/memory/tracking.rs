@@ -160,7 +160,8 @@ impl Memory {
         matching: &Matching,
     ) -> StepReport {
         let previous = self.previous_as_stored();
-        let matches = moved.map_or(Vec::new(), |moved| match_views(&view.surfaces, &previous, moved, matching));
+        let matches =
+            moved.map_or(Vec::new(), |moved| match_views(&view.surfaces, &previous, moved, matching));
         let (placement, map_from_robot) = match (moved, self.path.last()) {
             (Some(moved), Some(last)) => (by, last.frame_from_robot * moved),
             _ => (Placement::First, Pose::IDENTITY),

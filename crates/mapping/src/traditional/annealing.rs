@@ -16,11 +16,14 @@ pub struct Annealing {
     pub travel: f64,
     /// What the margins shrink to with each try, as a factor.
     pub shrink: f64,
+    /// The error that a pair counts with at most, and that a surface counts with that has no partner,
+    /// m² rad: both ends about 0.2 m off and turned by 1°, or 0.1 m and 5°.
+    pub worst: f64,
 }
 
 impl Default for Annealing {
     fn default() -> Self {
-        Self { iterations: 200, turn: 10.0 * trig::PI / 180.0, travel: 0.2, shrink: 0.98 }
+        Self { iterations: 400, turn: 10.0 * trig::PI / 180.0, travel: 0.2, shrink: 0.99, worst: 0.0025 }
     }
 }
 

@@ -67,10 +67,9 @@ impl Transform {
     /// §3.1.3: the changes of turn and travel that let the current view fit the previous one best.
     fn correct(&mut self, current: &[Surface], measured: Pose) -> Correction {
         let previous = self.memory.previous_as_stored();
-        let (matching, rng) = (&self.params.matching, &mut self.rng);
-        let error_of = |turn: f64, travel: f64| {
-            mean_error(current, &previous, moved_by(measured, turn, travel), matching)
-        };
+        let (by, rng) = ((&self.params.matching, self.params.annealing.worst), &mut self.rng);
+        let error_of =
+            |turn: f64, travel: f64| mean_error(current, &previous, moved_by(measured, turn, travel), by);
         anneal(error_of, &self.params.annealing, rng)
     }
 }
@@ -82,14 +81,20 @@ fn moved_by(measured: Pose, turn: f64, travel: f64) -> Pose {
     Pose::new(0.0, 0.0, turn) * Pose { position: further, heading: measured.heading }
 }
 
-/// The mean error of all matching pairs. Guarded against dropping pairs, which would lower the mean: a
-/// surface without a partner counts as a pair at the very edge of the gates (the guard is ours).
+/// The mean error of all matching pairs, with a guard (ours) against dropping pairs, which would lower the
+/// mean: a surface without a partner counts as a pair at its worst. No pair counts for more, or those
+/// that only happen to lie within the gates would decide: the product of Fig. 3.4 grows steeply.
 #[allow(clippy::cast_precision_loss, reason = "a view has a few dozen surfaces")]
-fn mean_error(current: &[Surface], previous: &[Tracked], moved: Pose, params: &Matching) -> f64 {
-    let matches = match_views(current, previous, moved, params);
-    let paired: f64 = matches.iter().map(|m| m.fit.error).sum();
+fn mean_error(
+    current: &[Surface],
+    previous: &[Tracked],
+    moved: Pose,
+    (matching, worst): (&Matching, f64),
+) -> f64 {
+    let matches = match_views(current, previous, moved, matching);
+    let paired: f64 = matches.iter().map(|m| m.fit.error.min(worst)).sum();
     let most = current.len().min(previous.len());
-    let unpaired = most.saturating_sub(matches.len()) as f64 * params.error_at_gates();
+    let unpaired = most.saturating_sub(matches.len()) as f64 * worst;
     (paired + unpaired) / most.max(1) as f64
 }
 
@@ -136,8 +141,9 @@ mod tests {
             // Errors spread evenly over ±0.1 rad and ±0.1 m.
             let (turn, travel) = (f64::from(step % 20), f64::from(step / 20));
             let measured = moved_by(truth, (turn - 9.5) / 95.0, (travel - 9.5) / 95.0);
+            let worst = Annealing::default().worst;
             let error_of = |t: f64, x: f64| {
-                mean_error(&current, &previous, moved_by(measured, t, x), &Matching::default())
+                mean_error(&current, &previous, moved_by(measured, t, x), (&Matching::default(), worst))
             };
             let mut rng = Pcg64Mcg::seed_from_u64(u64::from(step));
             let found = anneal(error_of, &Annealing::default(), &mut rng);

@@ -38,7 +38,9 @@ fn map_the_corridor(seed: u64) -> (Vec<StepReport>, Vec<Pose>) {
 /// A surface that says how far along the corridor the robot is.
 fn crosses_the_corridor(view: &View) -> bool {
     let crosses = |a: &Surface, b: &Surface| {
-        a.length() > 1.0 && b.length() > 0.5 && line_angle_between(a.segment.heading(), b.segment.heading()) > 1.0
+        a.length() > 1.0
+            && b.length() > 0.5
+            && line_angle_between(a.segment.heading(), b.segment.heading()) > 1.0
     };
     view.surfaces.iter().any(|a| view.surfaces.iter().any(|b| crosses(a, b)))
 }
@@ -52,7 +54,10 @@ fn a_corridor_longer_than_the_range_is_mapped_by_odometry_until_something_crosse
         let runs = fallback_runs(&reports);
         assert_eq!((runs.len(), runs[0].from), (1, 1), "one stretch, from the first step on: {runs:?}");
         let recovered = runs[0].recovered.unwrap();
-        assert!((first_crossing + 1..=first_crossing + 3).contains(&recovered), "{recovered} {first_crossing}");
+        assert!(
+            (first_crossing + 1..=first_crossing + 3).contains(&recovered),
+            "{recovered} {first_crossing}"
+        );
         // Until then the map is what odometry makes of it, from then on it is not.
         for (report, odom_from_robot) in reports.iter().zip(&odometry) {
             let off = report.map_from_robot.from_here(*odom_from_robot).position.length();

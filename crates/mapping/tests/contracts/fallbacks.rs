@@ -57,7 +57,6 @@ fn the_map_gets_worse_in_the_mean_with_every_forced_fallback() {
         runs.iter().map(|run| run.0).sum::<f64>() / runs.len() as f64
     };
     let means = [0, 1, 2, 3, 4].map(mean);
-    println!("{} {means:?}", seeds.len());
     assert!(means.windows(2).all(|pair| pair[1] > 1.1 * pair[0]), "{means:?}");
 }
 

@@ -113,6 +113,5 @@ fn the_ends_of_a_loop_do_not_meet_and_the_map_stays() {
         last.from_here(poses[0].from_here(poses[poses.len() - 1])).position.length()
     };
     let gaps: Vec<f64> = (1..=12).map(gap).collect();
-    println!("{gaps:?}");
     assert!(gaps.iter().all(|&gap| gap > 0.0) && gaps.iter().sum::<f64>() > 12.0 * 0.05, "{gaps:?}");
 }

@@ -59,7 +59,8 @@ fn only_the_last_few_spaces_are_remembered_and_no_name_is_given_twice() {
             for &id in &report.forgot {
                 assert!(!mfis.remembers(id) && mfis.forgotten_in(id) == Some(report.step));
             }
-            let told = |event: &Event| matches!(event, Event::Forgot { surfaces } if *surfaces == report.forgot);
+            let told =
+                |event: &Event| matches!(event, Event::Forgot { surfaces } if *surfaces == report.forgot);
             assert_eq!(report.events().iter().any(told), !report.forgot.is_empty());
         }
         let forgotten = mapper.mfis().surfaces().len() - mapper.mfis().remembered().count();

@@ -44,9 +44,8 @@ fn compared_with_the_mfis_too_a_wall_that_was_hidden_is_not_stored_again() {
         literal += stored(&walk.map(1.0).0);
         let (mapper, reports) = walk.map_with(&with_scope(), 1.0);
         extended += stored(&mapper);
-        println!("{}", farthest_off(&walk, &reports));
+        assert!(farthest_off(&walk, &reports) < 1e-9);
     }
-    println!("{literal} literal, {extended} extended");
     assert!(extended < literal);
 }
 
@@ -74,7 +73,7 @@ fn a_view_is_stored_only_when_too_little_of_it_is_known() {
         taken += reports.len();
         needed += reports.iter().filter(|report| report.stored).count();
         fewer += usize::from(stored(&mapper) < stored(&every_step));
-        println!("{}", farthest_off(&walk, &reports));
+        assert!(farthest_off(&walk, &reports) < 1e-9);
         for report in &reports {
             let length = |s: &Surface| s.segment.length();
             let all: f64 = report.view.surfaces.iter().map(length).sum();
@@ -83,7 +82,6 @@ fn a_view_is_stored_only_when_too_little_of_it_is_known() {
             assert!(report.stored || report.placed.is_empty());
         }
     }
-    println!("{needed} of {taken}, {fewer}");
     assert!(needed * 2 < taken);
 }
 
@@ -120,5 +118,8 @@ fn older_sessions_mean_the_thesis_s_program() {
     assert_eq!((params.reference.rule, params.spaces), (ReferenceRule::Quality, None));
     let form = r#"{"scope": "previous_view_then_mfis", "update": {"policy": "when_needed"}, "spaces": 3}"#;
     let params: PerceptualParams = serde_json::from_str(form).unwrap();
-    assert_eq!(serde_json::from_str::<PerceptualParams>(&serde_json::to_string(&params).unwrap()).unwrap(), params);
+    assert_eq!(
+        serde_json::from_str::<PerceptualParams>(&serde_json::to_string(&params).unwrap()).unwrap(),
+        params
+    );
 }

@@ -35,7 +35,10 @@ impl Laser<'_> {
         let (sin, cos) = trig::sin_cos(bearing);
         let ray = Segment::new(from, from + DVec2::new(cos, sin) * self.range_max);
         let range = |wall: &Segment| Some(ray.crossing(*wall)?.distance(from));
-        (0..).zip(self.walls).filter_map(|(id, wall)| Some((range(wall)?, id))).min_by(|a, b| a.0.total_cmp(&b.0))
+        (0..)
+            .zip(self.walls)
+            .filter_map(|(id, wall)| Some((range(wall)?, id)))
+            .min_by(|a, b| a.0.total_cmp(&b.0))
     }
 }
 

@@ -1,14 +1,14 @@
-use cogmap_geometry::{Segment, normalize_angle};
+use cogmap_geometry::{DVec2, Pose, Segment, normalize_angle, trig};
 use cogmap_mapping::{
     Placement, StepReport,
     memory::{Perceptual, PerceptualParams, StoredSurface},
+    perception::{End, Surface, View},
 };
 use proptest::prelude::*;
+use rand_core::SeedableRng;
+use rand_pcg::Pcg64Mcg;
 
-use crate::{
-    ideal,
-    walk::any_walk,
-};
+use crate::{ideal, sampled, walk::any_walk};
 
 fn same_matches(a: &[StepReport], b: &[StepReport]) -> bool {
     let pairs =
@@ -98,4 +98,34 @@ fn bits(mapper: &Perceptual) -> Vec<[u64; 4]> {
         [a.x, a.y, b.x, b.y].map(f64::to_bits)
     };
     mapper.memory().mfis().surfaces().iter().map(of).collect()
+}
+
+/// Every sighting of the wall is turned a little otherwise; what is placed by it is off by what this
+/// sighting and the first one are off, in the fiftieth view as in the second.
+#[test]
+fn tracking_one_wall_for_fifty_steps_adds_no_drift_to_what_is_new() {
+    let mut rng = Pcg64Mcg::seed_from_u64(1);
+    let mut mapper = Perceptual::new(&PerceptualParams::default());
+    let mut first_noise = 0.0;
+    for step in 0..=50_u32 {
+        let noise = 0.01 * sampled::gaussian(&mut rng);
+        let wall = true_surface(DVec2::new(3.0, -1.5), trig::FRAC_PI_2 + noise, 3.0);
+        // Never twice in one place, so that it is new each time.
+        let new = true_surface(DVec2::new(-2.0, 2.0 + 1.3 * f64::from(step % 5)), 1.0, 0.4);
+        let report = mapper.integrate(View { surfaces: vec![wall, new] }, 0.0, Pose::IDENTITY);
+        if step == 0 {
+            first_noise = noise;
+            continue;
+        }
+        assert_eq!((report.matches.len(), report.placed.len()), (1, 1), "step {step}");
+        let stored = &mapper.memory().mfis().surfaces()[report.placed[0].0 as usize];
+        let drift = normalize_angle(stored.segment.heading() - 1.0);
+        assert!((drift - (first_noise - noise)).abs() < 1e-9, "step {step}: {drift}");
+    }
+}
+
+fn true_surface(from: DVec2, heading: f64, length: f64) -> Surface {
+    let segment = Segment::new(from, from + Pose::new(0.0, 0.0, heading).forward() * length);
+    let (ends, beams, range) = ([End::True; 2], [0, 9], segment.midpoint().length());
+    Surface { segment, ends, beams, points: 10, residual: 0.0, range, incidence: 0.3, label: None }
 }
