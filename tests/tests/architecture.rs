@@ -10,7 +10,7 @@ const FLOORS: [&[&str]; 8] = [
     &["cogmap-navigation"],
     &["cogmap-simulation"],
     &["cogmap-formats", "cogmap-scene", "cogmap-raycast-bench"],
-    &["cogmap-study"],
+    &["cogmap-study", "cogmap-steps-bench"],
     &["cogmap", "cogmap-wasm"],
     &["cogmap-tests"],
 ];

@@ -95,6 +95,8 @@ struct Gate {
 const SETTLED: f64 = 1e-3;
 /// … until it changes less than this.
 const STILL: f64 = 1e-10;
+/// So often the lines may be paired anew where the pose has settled.
+const PAIRED_AGAIN: usize = 4;
 
 /// A line of the view, the remembered one, and the part of the first that lies beside the second.
 struct Pair<'a> {
@@ -121,15 +123,31 @@ pub(super) fn align(view: &[Line], near: &Candidates, start: Pose, slack: f64, p
         gate = gate_of(iteration, slack, params);
         pairs = pair_up(view, near, pose, gate, params);
     }
+    // The result must not depend on where the search began: it is where the pairs want the pose to be
+    // that are found there.
+    let mut last = settle(&mut pairs, &mut pose, gate, params);
+    for _ in 0..PAIRED_AGAIN {
+        let again = pair_up(view, near, pose, gate, params);
+        if again.iter().map(Pair::names).eq(pairs.iter().map(Pair::names)) {
+            break;
+        }
+        pairs = again;
+        last = settle(&mut pairs, &mut pose, gate, params);
+    }
+    fit(view, near, pose, last, params)
+}
+
+/// Moves the pose to where these pairs want it.
+fn settle(pairs: &mut [Pair<'_>], pose: &mut Pose, gate: Gate, params: &Alignment) -> Step {
     let mut last = Step { by: [0.0; 3], rank: 0, open: None };
     for _ in 0..params.refinements.max(1) {
-        pairs.iter_mut().for_each(|pair| pair.place(pose));
-        last = step(&pairs, &mut pose, gate, params);
+        pairs.iter_mut().for_each(|pair| pair.place(*pose));
+        last = step(pairs, pose, gate, params);
         if last.by.iter().all(|x| x.abs() < STILL) {
             break;
         }
     }
-    fit(view, near, pose, last, params)
+    last
 }
 
 /// Moves the pose by one step of Gauss and Newton.
@@ -236,6 +254,11 @@ impl Measured {
 }
 
 impl Pair<'_> {
+    /// Which lines these are.
+    fn names(&self) -> (u32, u32) {
+        (self.seen.tag, self.known.tag)
+    }
+
     /// The robot is there: so its line is elsewhere, and another part of it lies beside the known one.
     fn place(&mut self, pose: Pose) {
         self.placed = self.seen.seen_from(pose);
