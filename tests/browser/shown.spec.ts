@@ -65,7 +65,7 @@ test('what a memory shows can be chosen by mouse and by key', async ({ page }) =
 test('going through an exit is said and heard', async ({ page }) => {
   const bench = new BenchPage(page);
   await bench.open();
-  await page.getByLabel('Speed').selectOption('8×');
+  await page.getByLabel('Speed').selectOption('4×');
   const said = page.getByText(/local space \d/i);
   await expect(bench.memory.getByText(/exit \d/).first()).toBeVisible({ timeout: 50_000 });
   await expect(page.getByRole('status', { name: 'What happened' })).toHaveText(/local space \d/i);

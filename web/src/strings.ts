@@ -110,8 +110,10 @@ export const strings = {
         return `Local space ${what.asr} opened behind exit ${what.exit}`;
       case 'loop_closed':
         return `Back in local space ${what.asr}: a loop is closed`;
+      case 'lost':
+        return 'Lost: nothing in view was known, only odometry said where it was';
       case 'recognised':
-        return 'A place known before, recognised';
+        return 'Found: the robot recognised a place that it knew';
     }
   },
   by: (mapper: string, said: string) => `${mapper}: ${said}`,

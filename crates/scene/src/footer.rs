@@ -70,6 +70,7 @@ fn swatch(sample: Sample) -> f64 {
         Sample::Asrs => ASRS_SWATCH,
         Sample::Sign(_) => 8.0,
         Sample::Robot(_) => 14.0,
+        Sample::Node => 18.0,
     }
 }
 
@@ -96,6 +97,7 @@ fn draw_sample(brush: &mut Brush, sample: Sample, at: DVec2) {
             brush.path(&corners.map(|corner| center + corner), brush.style(role), true);
         }
         Sample::Sign(role) => brush.sign(center, brush.style(role)),
+        Sample::Node => brush.sign(center, brush.style(Role::Place(PlaceMark::Node(0)))),
         Sample::Robot(role) => brush.robot(center, DVec2::X, 7.0, brush.style(role)),
         Sample::Run => draw_pieces(brush, at, &|brush, share| brush.theme().of_run(share)),
         Sample::Age => draw_pieces(brush, at, &|brush, share| brush.theme().of_age(share)),

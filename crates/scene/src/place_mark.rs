@@ -52,7 +52,7 @@ impl PlaceMark {
             Self::Number => Style::area(solid(palette.ink), None),
             Self::Exit => Style {
                 fill: Some(solid(palette.ink)),
-                sign: Sign::Square(3.0),
+                sign: Sign::Square(2.75),
                 ..Style::line(solid(palette.ink), 2.0)
             },
             Self::ExitRim => Style::line(solid(palette.paper), 6.0),

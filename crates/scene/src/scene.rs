@@ -64,6 +64,8 @@ pub enum Sample {
     Age,
     /// Some of the colours of local spaces.
     Asrs,
+    /// A node of the network.
+    Node,
     /// An exit between its jambs.
     Exit,
     /// An edge of the network that closed a loop.

@@ -30,7 +30,7 @@ fn memory(view: View, setup: &MapperSetup, mapper: &Mapper, journal: &MapperJour
         exits: mapper.network().map(|network| network.exits().len()),
         off: None,
         last: journal.reports.last().map(last_view),
-        happened: happened(journal),
+        happened: happened(mapper, journal),
     }
 }
 
@@ -50,7 +50,10 @@ fn offset_between(truth: Pose, believed: Pose) -> Offset {
 
 /// The latest event that is worth a word. Of several in one view the last says most: that a loop was
 /// closed rather than that an exit was crossed.
-fn happened(journal: &MapperJournal) -> Option<Happened> {
+fn happened(mapper: &Mapper, journal: &MapperJournal) -> Option<Happened> {
+    if mapper.is_odometry() {
+        return None; // it recognises nothing, so it is never lost and never found
+    }
     let now = journal.reports.last()?.t;
     journal.events.iter().rev().find_map(|(step, event)| {
         let report = journal.reports.get(*step)?;
@@ -67,6 +70,7 @@ fn happening(event: &Event, report: &StepReport) -> Option<Happening> {
         Event::NewAsr { asr, exit, .. } => Happening::NewAsr { asr: asr.0, exit: exit.0 },
         Event::LoopClosed { asr, exit, .. } => Happening::LoopClosed { asr: asr.0, exit: exit.0 },
         Event::Recognised(_) => Happening::Recognised,
+        Event::Fallback { matches: 0, .. } => Happening::Lost,
         _ => return None,
     })
 }

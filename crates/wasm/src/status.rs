@@ -97,6 +97,8 @@ pub enum Happening {
         /// The exit that now leads there.
         exit: u32,
     },
+    /// Nothing in view was known; only odometry said where the robot was.
+    Lost,
     /// The robot found itself in a place that it knew, and goes on in its coordinates.
     Recognised,
 }

@@ -221,7 +221,7 @@ fn network_legend() -> Vec<LegendEntry> {
         LegendEntry::new(Sample::Asrs, "a colour for each local space"),
         LegendEntry::new(Sample::Age, "first seen just now … long ago"),
         LegendEntry::new(Sample::Exit, "exit"),
-        LegendEntry::new(Sample::Sign(place(PlaceMark::Node(0))), "local space"),
+        LegendEntry::new(Sample::Node, "local space"),
         LegendEntry::new(Sample::Line(place(PlaceMark::Passage)), "way through an exit"),
         LegendEntry::new(Sample::ClosedLoop, "closed a loop"),
         LegendEntry::new(Sample::Line(place(PlaceMark::Link)), "from one local frame to the next"),

@@ -2,7 +2,7 @@ mod floor;
 
 use cogmap_geometry::{DVec2, Segment};
 
-use super::{Asr, Network};
+use super::{Asr, Exit, Network};
 use crate::memory::{Memory, StoredSurface};
 use floor::Floor;
 
@@ -22,9 +22,13 @@ pub fn outline(asr: &Asr, network: &Network, memory: &Memory) -> Vec<DVec2> {
     let Some(mut floor) = Floor::around(seen.chain(stands.iter().copied()), STANDING_ROOM) else {
         return Vec::new();
     };
-    let exits = exits(asr, network, memory);
+    let exits: Vec<Segment> = network.exits().iter().map(|exit| placed(exit, memory)).collect();
+    let own: Vec<Segment> =
+        asr.exits.iter().filter_map(|id| network.exit(*id)).map(|exit| placed(exit, memory)).collect();
     for sight in &sights {
-        // What lies behind an exit is another space; what was seen from there lies before it (Fig. 3.15).
+        // What lies behind an exit is another space; what was seen from there lies behind one of its
+        // own (Fig. 3.15).
+        let exits = sight.meets(if sight.from_within { &exits } else { &own });
         let through =
             |cell: DVec2| exits.iter().any(|exit| exit.crossing(Segment::new(sight.from, cell)).is_some());
         floor.fill(sight.corners(), |cell| through(cell) != sight.from_within);
@@ -44,6 +48,15 @@ struct Sight {
 }
 
 impl Sight {
+    /// Those of the exits that a line of sight may cross.
+    fn meets(&self, exits: &[Segment]) -> Vec<Segment> {
+        let [a, b, c] = self.corners();
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+        let apart =
+            |exit: &Segment| exit.a.max(exit.b).cmplt(low).any() || exit.a.min(exit.b).cmpgt(high).any();
+        exits.iter().copied().filter(|exit| !apart(exit)).collect()
+    }
+
     fn corners(&self) -> [DVec2; 3] {
         [self.from, self.seen.a, self.seen.b]
     }
@@ -60,10 +73,9 @@ fn sights(asr: &Asr, network: &Network, memory: &Memory) -> Vec<Sight> {
     own.filter_map(sight).collect()
 }
 
-/// The exits in the boundary of the space, in the map.
-fn exits(asr: &Asr, network: &Network, memory: &Memory) -> Vec<Segment> {
-    let exits = asr.exits.iter().filter_map(|id| network.exit(*id));
-    exits.map(|exit| memory.mfis().map_from_frame(exit.frame) * exit.segment).collect()
+/// Where an exit lies in the map.
+fn placed(exit: &Exit, memory: &Memory) -> Segment {
+    memory.mfis().map_from_frame(exit.frame) * exit.segment
 }
 
 #[cfg(test)]

@@ -53,6 +53,20 @@ fn a_record_replays_to_the_same_bits() {
 }
 
 #[test]
+fn other_mappers_are_fed_the_very_same_readings() {
+    let session = driven();
+    let mappers = ["odometry", "perceptual"].map(|name| MapperSetup::named(name).unwrap()).to_vec();
+    let mut other = session.remapped(mappers.clone()).unwrap();
+    assert_eq!((other.position(), &other.record().mappers), (0, &mappers));
+    other.jump(session.position());
+    assert_eq!(other.journal().truth, session.journal().truth);
+    assert_eq!(other.journal().odometry, session.journal().odometry);
+    let perceptual =
+        session.record().mappers.iter().position(|mapper| mapper.name() == "perceptual").unwrap();
+    assert_eq!(other.mappers()[1].mfis(), session.mappers()[perceptual].mfis());
+}
+
+#[test]
 fn a_jump_back_and_forth_changes_nothing() {
     let mut session = driven();
     let (end, before) = (session.end(), print(&session));

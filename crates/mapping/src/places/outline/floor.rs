@@ -6,6 +6,8 @@ const CELL: f64 = 0.15;
 const MOST_CELLS: f64 = 240.0;
 /// Slits up to twice as many cells wide are taken to be free: nothing was seen in them by chance.
 const SLIT: isize = 2;
+/// Spikes up to twice as many cells wide are left out: a glimpse between two things that stand there.
+const SPIKE: isize = 2;
 /// Corners nearer than so many cells to the line between others are left out.
 const SMOOTHING: f64 = 1.1;
 
@@ -73,8 +75,9 @@ impl Floor {
 
     /// The outer boundary of the largest piece of free floor, smoothed.
     pub(super) fn contour(mut self) -> Vec<DVec2> {
-        self.free = self.grown(SLIT, true);
-        self.free = self.grown(SLIT, false);
+        for (by, free) in [(SLIT, true), (SLIT + SPIKE, false), (SPIKE, true)] {
+            self.free = self.grown(by, free);
+        }
         self.keep_largest();
         let corners = self.boundary();
         simplified(&corners, SMOOTHING * self.cell)
@@ -94,7 +97,7 @@ impl Floor {
         inside && self.free[row as usize * self.width + column as usize]
     }
 
-    /// The cells within so many cells of a marked one, or of one that is not for `free` being false.
+    /// Free floor grown by so many cells; shrunk by them where `free` is false.
     fn grown(&self, by: isize, free: bool) -> Vec<bool> {
         let disc: Vec<[isize; 2]> = (-by..=by)
             .flat_map(|x| (-by..=by).map(move |y| [x, y]))
@@ -209,7 +212,7 @@ mod tests {
             let next = outline.iter().cycle().skip(1);
             let area: f64 = outline.iter().zip(next).map(|(a, b)| 0.5 * a.perp_dot(*b)).sum();
             let rim = (p.distance(q) + q.distance(r) + r.distance(p)) * 2.0 * CELL;
-            prop_assert!(area >= 0.0 && (area - true_area).abs() <= rim + 0.2, "{} for {}", area, true_area);
+            prop_assert!(area >= 0.0 && (area - true_area).abs() <= rim + 0.5, "{} for {}", area, true_area);
         }
     }
 
