@@ -18,6 +18,7 @@ fn goldens() -> PathBuf {
 fn is_as_before(name: &str, bytes: &[u8]) -> bool {
     let path = goldens().join(name);
     if env::var_os("UPDATE_GOLDENS").is_some() {
+        fs::create_dir_all(goldens()).unwrap();
         fs::write(&path, bytes).unwrap();
     }
     fs::read(&path).is_ok_and(|golden| golden == bytes)

@@ -6,7 +6,8 @@
 //! of the plane its [`Camera`] shows. [`Picture::of`] lays the one out on the other as [`Mark`]s in
 //! pixels, title, scale bar and legend included, and all that is left to a painter is to put marks
 //! on the screen: [`svg`] and [`png`](mod@png) here, the browser's canvas in the page's own crate. No
-//! painter knows a colour; they all come from the theme.
+//! painter knows a colour; they all come from the theme. A [`Plate`] lays several scenes out as a figure,
+//! with a caption and one legend, and its [`Annotation`]s say what there is to see.
 //!
 //! ```
 //! use cogmap_geometry::{DVec2, Segment};

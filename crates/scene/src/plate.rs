@@ -49,6 +49,7 @@ const TITLE: f64 = 17.0;
 const TEXT: f64 = 12.5;
 const LINE: f64 = 18.0;
 const SMALL: f64 = 11.0;
+const SMALL_LINE: f64 = 16.0;
 /// From the upper edge to the title's base line, and from there to the caption's first.
 const TITLE_BASE: f64 = 36.0;
 const CAPTION_BELOW: f64 = 24.0;
@@ -80,27 +81,23 @@ impl Plate {
         let sheet = Sheet { camera, ..Sheet::new(width, bottom, theme) };
         let footer = Footer::of(&legend, &sheet);
         let sheet = Sheet { height: bottom + GUTTER + footer.height, ..sheet };
-        let height = sheet.height + SOURCE;
+        let source = wrapped(&self.source, SMALL, room);
+        let height = sheet.height + SOURCE + SMALL_LINE * source.len().saturating_sub(1) as f64;
         let mut brush = Brush::new(&legend, &sheet);
-        self.words(&mut brush, &caption, height);
-        let mut marks: Vec<Mark> = cells.iter().flat_map(|cell| cell.marks(theme, scale)).collect();
+        self.words(&mut brush, &caption);
         footer.draw(&mut brush, &legend);
+        lines(&mut brush, (DVec2::new(MARGIN, sheet.height + SMALL), SMALL_LINE), &source, SMALL);
+        let mut marks: Vec<Mark> = cells.iter().flat_map(|cell| cell.marks(theme, scale)).collect();
         marks.extend(brush.marks);
         Picture { width, height, paper: theme.paper(), marks }
     }
 
-    fn words(&self, brush: &mut Brush<'_>, caption: &[String], height: f64) {
-        let palette = brush.theme().palette();
+    fn words(&self, brush: &mut Brush<'_>, caption: &[String]) {
+        let ink = brush.theme().palette().ink;
         let room = brush.sheet.width - 2.0 * MARGIN;
-        let mut at = DVec2::new(MARGIN, TITLE_BASE);
-        brush.text(at, &shortened(&self.title, TITLE, room), TITLE, palette.ink);
-        at.y += CAPTION_BELOW;
-        for line in caption {
-            brush.text(at, line, TEXT, palette.muted);
-            at.y += LINE;
-        }
-        let below = DVec2::new(MARGIN, height - 12.0);
-        brush.text(below, &shortened(&self.source, SMALL, room), SMALL, palette.muted);
+        let at = DVec2::new(MARGIN, TITLE_BASE);
+        brush.text(at, &shortened(&self.title, TITLE, room), TITLE, ink);
+        lines(brush, (at + DVec2::new(0.0, CAPTION_BELOW), LINE), caption, TEXT);
     }
 
     /// What the panels explain, each thing once.
@@ -191,12 +188,23 @@ impl Cell<'_> {
     }
 }
 
+/// Lines of text one below the other.
+fn lines(brush: &mut Brush<'_>, (mut at, below): (DVec2, f64), lines: &[String], size: f64) {
+    let muted = brush.theme().palette().muted;
+    for line in lines {
+        brush.text(at, line, size, muted);
+        at.y += below;
+    }
+}
+
 /// The text in lines no wider than `room` pixels, broken between words, but not before a unit.
 fn wrapped(text: &str, size: f64, room: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in unbreakable(text) {
         match lines.last_mut() {
-            Some(line) if text_width(line, size) + text_width(" ", size) + text_width(&word, size) <= room => {
+            Some(line)
+                if text_width(line, size) + text_width(" ", size) + text_width(&word, size) <= room =>
+            {
                 line.push(' ');
                 line.push_str(&word);
             }
@@ -273,7 +281,9 @@ mod tests {
     #[test]
     fn a_number_keeps_its_unit() {
         let lines = wrapped("The robot believes itself 2.7 m, or more, from where it is.", TEXT, 200.0);
-        assert!(lines.len() > 1 && lines.iter().all(|line| !line.starts_with("m,") && !line.ends_with("2.7")));
+        assert!(
+            lines.len() > 1 && lines.iter().all(|line| !line.starts_with("m,") && !line.ends_with("2.7"))
+        );
     }
 
     #[test]

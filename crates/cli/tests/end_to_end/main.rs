@@ -12,6 +12,8 @@ mod bad_arguments;
 
 /// Pictures of floors that become worlds.
 mod floor_plans;
+/// What `figures` draws, and how it ends.
+mod figures;
 
 /// The logs of real robots, where they are at hand.
 mod real_logs;

@@ -44,7 +44,9 @@ pub(super) fn off_in_the_end(run: &Run, mapper: &str) -> Result<(f64, f64), Stri
 /// The same in words.
 pub(super) fn off_in_words(run: &Run, mapper: &str) -> Result<String, String> {
     let (metres, radians) = off_in_the_end(run, mapper)?;
-    Ok(format!("{metres:.1} m and {:.0}°", radians.to_degrees()))
+    let distance =
+        if metres < 0.995 { format!("{:.0} cm", 100.0 * metres) } else { format!("{metres:.1} m") };
+    Ok(format!("{distance} and {:.0}°", radians.to_degrees()))
 }
 
 /// The long surfaces of a map that lie off the wall that they were seen on: where they lie in the world, and

@@ -35,8 +35,7 @@ fn sighting(a: [f64; 2], b: [f64; 2]) -> Surface {
 /// Fig. 3.4, and the search that uses the error.
 pub(super) fn pair(runs: &mut Runs) -> Result<Drawing, String> {
     let (first, second) = (sighting([0.0, 0.0], [3.6, 0.35]), sighting([0.3, 0.62], [3.75, 1.45]));
-    let gates = Matching::default();
-    let PairError { d1, d2, phi, .. } = pair_error(&second, &Tracked::seen(&first, None), &gates);
+    let error = pair_error(&second, &Tracked::seen(&first, None), &Matching::default());
     let run = runs.of(&SMALL_BAD)?;
     let (_, journal) = run.mind("transform")?;
     let corrections =
@@ -49,6 +48,8 @@ pub(super) fn pair(runs: &mut Runs) -> Result<Drawing, String> {
         (Sample::Line(MEASURE), "what is measured"),
         (Sample::Line(role(Annotation::Curve)), "mean error of all pairs"),
     ];
+    let PairError { d1, d2, phi, .. } = error;
+    let gates = Matching::default();
     Ok(Drawing {
         panels: vec![
             panel("A pair", measured(&first, &second), &legend[..3]),
@@ -113,7 +114,7 @@ fn trace(errors: &[f64]) -> Vec<Item> {
     let mut items = plot.axes(&x, &y, ["changes kept", "mean error, m² rad"]);
     let values = || errors.iter().enumerate().map(|(change, error)| DVec2::new(change as f64, *error));
     items.push(plot.curve(values()));
-    items.extend(values().last().map(|last| plot.marks([last])));
+    items.extend(values().next_back().map(|last| plot.marks([last])));
     items
 }
 

@@ -117,5 +117,6 @@ pub(super) fn separated(runs: &mut Runs) -> Result<Drawing, String> {
             closed.replacen("In view", "in view", 1).replacen("It finds", "it finds", 1)
         );
     }
+    outcome += "The thesis’s robot made 8 spaces of its building and found the loop.";
     Ok(Drawing { panels, columns: 2, outcome, source: format!("perceptual and consensus, {}", run.words()) })
 }

@@ -52,3 +52,21 @@ impl Plot {
         Item::new(role(Annotation::Mark), Shape::Signs(points))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_appear_between_the_corners_and_every_tick_is_written() {
+        let (corner, size) = (DVec2::new(1.0, 2.0), DVec2::new(4.0, 3.0));
+        let plot = Plot { corner, size, from: DVec2::new(-10.0, 0.0), to: DVec2::new(10.0, 6.0) };
+        assert_eq!(plot.place(plot.from), corner);
+        assert_eq!(plot.place(plot.to), corner + size);
+        assert_eq!(plot.place(DVec2::new(0.0, 3.0)), corner + size * 0.5);
+        let ticks = [(0.0, "0".to_owned()), (5.0, "5".to_owned())];
+        let items = plot.axes(&ticks, &ticks, ["x", "y"]);
+        let words = items.iter().filter(|item| matches!(item.shape, Shape::Label { .. }));
+        assert_eq!(words.count(), 2 + 2 + 2);
+    }
+}

@@ -4,7 +4,7 @@ use cogmap_mapping::{
     memory::{PerceptualParams, Reference, ReferenceQuality},
     perception::Surface,
 };
-use cogmap_scene::{Annotation, Item, Role, Sample};
+use cogmap_scene::{Annotation, Item, Role, Sample, Shape};
 
 use super::{
     Drawing, Runs,
@@ -18,6 +18,10 @@ const ROOM: &str = r#"{"format": "cogmap-world/1", "name": "Room with a pillar",
     "posts": [{"center": [3.1, 3.0], "radius": 0.4}],
     "boxes": [{"center": [5.6, 0.5], "size": [0.9, 0.5]}]}"#;
 const PILLAR: DVec2 = DVec2::new(3.1, 3.0);
+/// Its radius, metres.
+const RADIUS: f64 = 0.4;
+/// How much larger the close-up is.
+const LARGER: f64 = 4.0;
 const FIRST: Pose = Pose { position: DVec2::new(0.9, 1.6), heading: 0.3 };
 const SECOND: Pose = Pose { position: DVec2::new(1.5, 1.45), heading: 0.35 };
 
@@ -49,23 +53,9 @@ pub(super) fn changing_shape(_: &mut Runs) -> Result<Drawing, String> {
     let before = pillar_in(&first, FIRST).ok_or("the pillar was not seen")?.1;
     let after = pillar_in(&second, SECOND).ok_or("the pillar was not seen")?.1;
     let (before, after) = (FIRST * before.segment, SECOND * after.segment);
-    let turned = before.angle_to(after);
-    let large = |line: Segment| {
-        let carry = |point: DVec2| (point - PILLAR) * 4.0;
-        Segment::new(carry(line.a), carry(line.b))
-    };
-    let whole = vec![
-        Item::new(Role::Furniture, cogmap_scene::Shape::Disc(PILLAR, 0.4)),
-        surfaces(KNOWN, FIRST, &first.view.surfaces),
-        surfaces(SEEN, SECOND, &second.view.surfaces),
-        robot(Role::BelievedRobot, FIRST),
-        robot(Role::Robot, SECOND),
-        word(FIRST.position - DVec2::new(0.0, 0.5), "R1"),
-        word(SECOND.position - DVec2::new(0.0, 0.5), "R2"),
-        ring(PILLAR, 0.65),
-    ];
+    let large = |line: Segment| Segment::new((line.a - PILLAR) * LARGER, (line.b - PILLAR) * LARGER);
     let close = vec![
-        Item::new(Role::Furniture, cogmap_scene::Shape::Disc(DVec2::ZERO, 1.6)),
+        Item::new(Role::Furniture, Shape::Disc(DVec2::ZERO, RADIUS * LARGER)),
         lines(KNOWN, [large(before)]),
         lines(SEEN, [large(after)]),
     ];
@@ -78,18 +68,32 @@ pub(super) fn changing_shape(_: &mut Runs) -> Result<Drawing, String> {
     ];
     Ok(Drawing {
         panels: vec![
-            panel("Both views as they truly lie", whole, &legend),
-            panel("The pillar, 4 times as large", close, &[]),
+            panel("Both views as they truly lie", both_views(&first, &second), &legend),
+            panel(format!("The pillar, {LARGER} times as large"), close, &[]),
         ],
         columns: 2,
         outcome: format!(
             "Here it turns by {} and is {:.2} m long, then {:.2} m.",
-            degrees(turned),
+            degrees(before.angle_to(after)),
             before.length(),
             after.length()
         ),
         source: "two views of a robot without errors in a room made for it".to_owned(),
     })
+}
+
+fn both_views(first: &StepReport, second: &StepReport) -> Vec<Item> {
+    let below = DVec2::new(0.0, 0.5);
+    vec![
+        Item::new(Role::Furniture, Shape::Disc(PILLAR, RADIUS)),
+        surfaces(KNOWN, FIRST, &first.view.surfaces),
+        surfaces(SEEN, SECOND, &second.view.surfaces),
+        robot(Role::BelievedRobot, FIRST),
+        robot(Role::Robot, SECOND),
+        word(FIRST.position - below, "R1"),
+        word(SECOND.position - below, "R2"),
+        ring(PILLAR, RADIUS + 0.25),
+    ]
 }
 
 /// Fig. 3.18.

@@ -3,7 +3,9 @@ use cogmap_mapping::{
     Mapper,
     places::{AsrId, Exit, ExitId, Network},
 };
-use cogmap_scene::{Annotation, Colouring, Item, LegendEntry, MemoryOptions, PlaceMark, Role, Sample, Shape};
+use cogmap_scene::{
+    Annotation, Colouring, Item, LegendEntry, MemoryOptions, PlaceMark, Role, Sample, Scene, Shape,
+};
 
 use super::{
     Drawing, Runs,
@@ -90,60 +92,56 @@ pub(super) fn through_the_network(runs: &mut Runs) -> Result<Drawing, String> {
     Ok(Drawing { panels: vec![panel_of("", scene)], columns: 1, outcome, source: source(&run) })
 }
 
-/// Whether a label is the number of one of the spaces.
-fn is_number_of(label: &Shape, spaces: &[AsrId]) -> bool {
-    matches!(label, Shape::Label { text, .. } if spaces.iter().any(|asr| *text == asr.0.to_string()))
-}
-
 /// Fig. 2.3.
 pub(super) fn through_one_space(runs: &mut Runs) -> Result<Drawing, String> {
     let run = runs.of(&TOUR)?;
     let way = Way::longest(&run)?;
     let spaces = way.spaces();
-    let inner = spaces
-        .windows(3)
-        .zip(way.exits.windows(2))
-        .max_by_key(|(trio, _)| way.network.asr(trio[1]).map_or(0, |asr| asr.exits.len()));
-    let (trio, exits) = inner.ok_or("the route is too short")?;
-    let options = MemoryOptions {
-        view: false,
-        path: false,
-        network: false,
-        colouring: Colouring::Asr,
-        ..MemoryOptions::default()
+    let exits_of = |asr: AsrId| way.network.asr(asr).map_or(&[][..], |asr| &asr.exits);
+    let inner = spaces.windows(3).zip(way.exits.windows(2)).max_by_key(|(trio, _)| exits_of(trio[1]).len());
+    let (trio, taken) = inner.ok_or("the route is too short")?;
+    let lines_of = |exits: &[ExitId]| -> Vec<Segment> {
+        exits.iter().filter_map(|&exit| Some(way.crossing(exit)?.1)).collect()
     };
-    let mut scene = seen_in_the_world(&run, OURS, options);
-    let here = |id: u32| trio.iter().any(|asr| asr.0 == id);
-    scene.still.retain(|item| match item.role {
-        Role::Place(
-            PlaceMark::Surface(id) | PlaceMark::Debris(id) | PlaceMark::Floor(id) | PlaceMark::Node(id),
-        ) => here(id),
-        Role::Place(PlaceMark::Number) => is_number_of(&item.shape, trio),
+    let mut scene = spaces_alone(&run, trio);
+    scene.still.extend(drawn_exits(&lines_of(exits_of(trio[1]))));
+    let middles: Vec<DVec2> = lines_of(taken).iter().map(|exit| exit.midpoint()).collect();
+    scene.still.push(arrow(Annotation::Movement, &middles));
+    let outcome = format!(
+        "Here from space {} to space {}: of the {} exits of space {} it has to take the right one.",
+        trio[0].0,
+        trio[2].0,
+        exits_of(trio[1]).len(),
+        trio[1].0
+    );
+    Ok(Drawing { panels: vec![panel_of("", scene)], columns: 1, outcome, source: source(&run) })
+}
+
+/// A few spaces with their surfaces and numbers.
+fn spaces_alone(run: &Run, spaces: &[AsrId]) -> Scene {
+    let colouring = Colouring::Asr;
+    let options = MemoryOptions { view: false, path: false, colouring, ..MemoryOptions::default() };
+    let mut scene = seen_in_the_world(run, OURS, options);
+    let here = |id: u32| spaces.iter().any(|asr| asr.0 == id);
+    scene.still.retain(|item| match (item.role, &item.shape) {
+        (Role::Place(PlaceMark::Surface(id) | PlaceMark::Debris(id)), _) => here(id),
+        (Role::Place(PlaceMark::Floor(id) | PlaceMark::Node(id)), _) => here(id),
+        (Role::Place(PlaceMark::Number), Shape::Label { text, .. }) => text.parse().is_ok_and(here),
         _ => false,
     });
     scene.changing.clear();
-    let crossings: Vec<Segment> = exits.iter().filter_map(|&exit| Some(way.crossing(exit)?.1)).collect();
-    let of_middle = way.network.asr(trio[1]).map_or(&[][..], |asr| &asr.exits);
-    let all: Vec<Segment> = of_middle.iter().filter_map(|&exit| Some(way.crossing(exit)?.1)).collect();
-    let place = |mark| Role::Place(mark);
-    scene.still.push(lines(place(PlaceMark::ExitRim), all.iter().copied()));
-    scene.still.push(lines(place(PlaceMark::Exit), all.iter().copied()));
-    for end in all.iter().flat_map(|exit| [exit.a, exit.b]) {
-        scene.still.push(Item::new(place(PlaceMark::Exit), Shape::Signs(vec![end])));
-    }
-    let ends = crossings.iter().map(|exit| exit.midpoint()).collect::<Vec<_>>();
-    scene.still.push(arrow(Annotation::Movement, &ends));
     scene.legend = vec![
         LegendEntry::new(Sample::Asrs, "a colour for each local space"),
         LegendEntry::new(Sample::Exit, "exit"),
         LegendEntry::new(Sample::Line(role(Annotation::Movement)), "from one exit to the next"),
     ];
-    let outcome = format!(
-        "Here from space {} to space {}: of the {} exits of space {} it has to take the right one.",
-        trio[0].0,
-        trio[2].0,
-        all.len(),
-        trio[1].0
-    );
-    Ok(Drawing { panels: vec![panel_of("", scene)], columns: 1, outcome, source: source(&run) })
+    scene
+}
+
+fn drawn_exits(exits: &[Segment]) -> Vec<Item> {
+    let (rim, line) = (Role::Place(PlaceMark::ExitRim), Role::Place(PlaceMark::Exit));
+    let mut items = vec![lines(rim, exits.iter().copied()), lines(line, exits.iter().copied())];
+    let jambs = exits.iter().flat_map(|exit| [exit.a, exit.b]);
+    items.extend(jambs.map(|jamb| Item::new(line, Shape::Signs(vec![jamb]))));
+    items
 }

@@ -152,3 +152,18 @@ impl Run {
         format!("{}, {} robot, seed {seed}", self.outing.place, self.outing.robot)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figures::outings::SMALL_GOOD;
+
+    #[test]
+    fn a_drive_is_made_once_however_many_figures_show_it() {
+        let mut runs = Runs::new(1);
+        let (first, second) = (runs.of(&SMALL_GOOD).unwrap(), runs.of(&SMALL_GOOD).unwrap());
+        assert!(Rc::ptr_eq(&first, &second));
+        let goal = first.session.world_from_robot().unwrap().position;
+        assert!(goal.distance(first.world_from_map().position) > 1.0 && first.length() > 5.0);
+    }
+}

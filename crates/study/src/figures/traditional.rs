@@ -32,9 +32,7 @@ pub(super) fn small_bad(runs: &mut Runs) -> Result<Drawing, String> {
         Some(double) => {
             let at = run.world_from_map() * double;
             scene.changing.push(ring(at.midpoint(), 0.5 * at.length() + 0.15));
-            format!(
-                "The longest such is encircled. In the end it believes itself {off} from where it is."
-            )
+            format!("The longest such is encircled. In the end it believes itself {off} from where it is.")
         }
         None => format!("In this run there is none. In the end it believes itself {off} from where it is."),
     };
