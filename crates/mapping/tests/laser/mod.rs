@@ -21,6 +21,7 @@ pub(crate) fn reading(t: f64, walls: &[Segment], world_from_robot: Pose, odom_fr
         angle_increment: trig::PI / 360.0,
         range_max: RANGE,
         ranges: ranges.collect(),
+        labels: Vec::new(),
     };
     Reading { t, odom_from_robot, moment: Moment::StepEnd, scan }
 }
