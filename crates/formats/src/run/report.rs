@@ -71,8 +71,6 @@ struct MapperNote<'a> {
     weak_placements: usize,
     partly_by_odometry: usize,
     fallbacks: usize,
-    /// Surfaces that it has forgotten since.
-    forgotten: usize,
     /// The stretches that these make up, and where each ended.
     fallback_runs: Vec<FallbackRun>,
     frames: usize,
@@ -162,7 +160,6 @@ fn mapper_note<'a>(session: &'a Session, index: usize, label: &'a str) -> Option
         weak_placements: placed_by(Placement::WeakReference),
         partly_by_odometry: placed_by(Placement::PartlyOdometry),
         fallbacks: placed_by(Placement::Odometry),
-        forgotten: surfaces.len() - mapper.mfis().remembered().count(),
         fallback_runs: if mapper.is_odometry() { Vec::new() } else { fallback_runs(&journal.reports) },
         frames: mapper.mfis().frames().len(),
         recognised: journal.reports.iter().filter(|report| report.recalled.is_some()).count(),

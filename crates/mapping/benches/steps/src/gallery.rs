@@ -41,6 +41,7 @@ impl Gallery {
             angle_increment: PI / (BEAMS - 1) as f64,
             range_max: RANGE,
             ranges,
+            labels: Vec::new(),
         };
         Reading { t: self.walked, odom_from_robot, moment: Moment::StepEnd, scan }
     }
