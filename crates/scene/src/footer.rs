@@ -68,6 +68,7 @@ fn swatch(sample: Sample) -> f64 {
         Sample::Run | Sample::Age => RUN_SWATCH,
         Sample::Line(_) | Sample::Area(_) | Sample::Exit | Sample::ClosedLoop => SWATCH,
         Sample::Asrs => ASRS_SWATCH,
+        Sample::Sign(Role::Place(PlaceMark::Node(_))) => 18.0,
         Sample::Sign(_) => 8.0,
         Sample::Robot(_) => 14.0,
         Sample::Node => 18.0,

@@ -72,6 +72,9 @@ fn source(run: &Run) -> String {
     format!("the consensus mapper, {}", run.words())
 }
 
+/// The route ends so far before the middle of the last node, metres, that its head can be seen.
+const NODE: f64 = 0.3;
+
 /// Fig. 2.2.
 pub(super) fn through_the_network(runs: &mut Runs) -> Result<Drawing, String> {
     let run = runs.of(&TOUR)?;
@@ -82,7 +85,9 @@ pub(super) fn through_the_network(runs: &mut Runs) -> Result<Drawing, String> {
         points.extend(way.node(space, &scene.still));
         points.push(exit);
     }
-    points.extend(way.node(way.to, &scene.still));
+    let before = points.last().copied().unwrap_or_default();
+    points
+        .extend(way.node(way.to, &scene.still).map(|node| node - (node - before).normalize_or_zero() * NODE));
     let first_node = scene.still.iter().position(|item| matches!(item.role, Role::Place(PlaceMark::Node(_))));
     let at = first_node.unwrap_or(scene.still.len());
     scene.still.insert(at, arrow(Annotation::Movement, &points));
