@@ -58,8 +58,8 @@ pub(super) const FIGURES: &[Figure] = &[
     figure(
         "2.7",
         "The network after a round trip",
-        "Eleven rooms in a ring. The twelfth space that the robot enters is the first again, seen \
-         from its other door.",
+        "Eleven rooms in a ring. The twelfth on the way is the first again, entered by its other \
+         door.",
         network::after_a_round_trip,
     ),
     figure(
