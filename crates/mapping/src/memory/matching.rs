@@ -134,12 +134,15 @@ struct Pair {
     fit: PairError,
 }
 
-/// The gates that a pair must pass. A thing known by sight is nothing else: it pairs with its own label
-/// only; `None` for two that cannot be one.
+/// The gates that a pair must pass. Two labels that differ are two things, and `None` says so; the same
+/// label may be farther off; a sighting without one may be of anything.
 fn gates(seen: Option<u32>, known: Option<u32>, params: &Matching) -> Option<Matching> {
-    let reach = if seen.is_some() { params.label_reach } else { 1.0 };
-    let wider = Matching { distance: params.distance * reach, angle: params.angle * reach, ..*params };
-    (seen == known).then_some(wider)
+    let reach = match (seen, known) {
+        (Some(seen), Some(known)) if seen != known => return None,
+        (Some(_), Some(_)) => params.label_reach,
+        _ => 1.0,
+    };
+    Some(Matching { distance: params.distance * reach, angle: params.angle * reach, ..*params })
 }
 
 /// One partner each: the pair with the least error takes both of its surfaces.
@@ -246,9 +249,9 @@ mod tests {
         assert_eq!(match_views(&seen, &[named, unnamed], Pose::IDENTITY, &Matching::default()), []);
     }
 
-    /// What a camera tells apart: a label pairs with its own only, and from farther off.
+    /// What a camera tells apart is not confused, and is known from farther off.
     #[test]
-    fn a_labelled_surface_pairs_with_its_own_label_alone_and_within_wider_gates() {
+    fn two_labels_pair_only_if_they_are_one_and_then_within_wider_gates() {
         let labelled = |x: f64, label| Surface { label, ..true_wall(x, -1.0, x, 1.0) };
         let found = |seen: Option<u32>, known: Option<u32>, apart: f64| {
             let tracked = [Tracked::seen(&labelled(2.0, known), Some(SurfaceId(0)))];
@@ -257,6 +260,7 @@ mod tests {
         };
         assert!(found(None, None, 0.1) && !found(None, None, 1.5));
         assert!(found(Some(7), Some(7), 1.5) && !found(Some(7), Some(7), 2.5));
-        assert!(!found(Some(7), Some(8), 0.1) && !found(Some(7), None, 0.1) && !found(None, Some(7), 0.1));
+        assert!(!found(Some(7), Some(8), 0.1));
+        assert!(found(Some(7), None, 0.1) && !found(Some(7), None, 1.5) && found(None, Some(7), 0.1));
     }
 }
