@@ -1,7 +1,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Match;
-use crate::perception::View;
+use crate::perception::{Surface, View};
 
 /// When the map takes in what is new in a view.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -38,9 +38,9 @@ impl Update {
         match self.policy {
             UpdatePolicy::EveryStep => true,
             UpdatePolicy::WhenNeeded => {
-                let all: f64 = view.surfaces.iter().map(|surface| surface.length()).sum();
+                let all: f64 = view.surfaces.iter().map(Surface::length).sum();
                 let known: f64 =
-                    matches.iter().filter_map(|m| view.surfaces.get(m.seen)).map(|s| s.length()).sum();
+                    matches.iter().filter_map(|m| view.surfaces.get(m.seen)).map(Surface::length).sum();
                 known < self.known_enough * all
             }
         }

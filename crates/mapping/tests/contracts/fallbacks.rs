@@ -67,9 +67,9 @@ fn a_fallback_is_for_one_view_alone() {
     let (_, reports) = half_blind(&walk, &[4], 1.0);
     let truth = walk.truth();
     let off = |step: usize| truth[step].from_here(reports[step].map_from_robot);
-    for step in 1..reports.len() {
-        let by_odometry = step == 4 || step == 5;
-        assert_eq!(reports[step].placement == Placement::Odometry, by_odometry, "view {step}");
+    for report in &reports[1..] {
+        let by_odometry = report.step == 4 || report.step == 5;
+        assert_eq!(report.placement == Placement::Odometry, by_odometry, "view {}", report.step);
     }
     let displacement = |step: usize| reports[step].map_from_robot * truth[step].inverse();
     assert!(off(3).position.length() < 1e-9 && off(5).position.length() > 0.01);

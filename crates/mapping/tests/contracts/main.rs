@@ -1,4 +1,8 @@
 //! What the mappers promise and what they cannot, held against worlds that are known exactly.
+#![allow(
+    clippy::unwrap_used,
+    reason = "clippy lets tests unwrap only inside test functions; here every line is a test"
+)]
 
 /// Views without beams: the exact visible parts of walls.
 mod ideal;

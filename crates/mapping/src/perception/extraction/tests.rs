@@ -40,7 +40,9 @@ fn room(width: f64, depth: f64) -> Vec<Segment> {
 fn visible_parts(walls: &[Segment], laser: Pose, scan: &Scan) -> Option<Vec<(Segment, [f64; 2])>> {
     let hits: Vec<DVec2> = (0..scan.ranges.len()).map(|beam| laser * scan.point(beam).unwrap()).collect();
     let wall_of = |hit: DVec2| {
-        (0..walls.len()).min_by(|&a, &b| walls[a].distance_to(hit).total_cmp(&walls[b].distance_to(hit))).unwrap()
+        (0..walls.len())
+            .min_by(|&a, &b| walls[a].distance_to(hit).total_cmp(&walls[b].distance_to(hit)))
+            .unwrap()
     };
     let corner = |a: usize, b: usize| {
         let ends = |wall: usize| [walls[wall].a, walls[wall].b];
