@@ -152,7 +152,7 @@ fn a_known_exit_leads_back_into_the_known_space() {
 
 /// Round the ring and a little on.
 fn around(setup: &MapperSetup) -> Drive {
-    let mut drive = Drive::begin(&ring(), Pose::new(-3.0, -2.0, 0.0), setup);
+    let mut drive = Drive::begin(&ring(), Pose::new(-4.0, -2.0, 0.0), setup);
     for point in [[2.0, -2.0], [2.0, 2.0], [-2.0, 2.0], [-2.0, -2.0], [-3.4, -3.0]] {
         drive.go_to(point, 0.5);
     }

@@ -82,14 +82,15 @@ impl Places {
         area(newer) <= self.params.familiarity.larger * area(older)
     }
 
-    /// The old space that some surfaces mostly lie in (§3.2.3), other than the one just left.
+    /// The old space that some surfaces mostly lie in (§3.2.3), other than the one just left; the robot must be in
+    /// it too.
     pub(super) fn overlapped(
         &self,
         now: Now<'_>,
         surfaces: &[SurfaceId],
         left: AsrId,
     ) -> Option<(AsrId, f64)> {
-        let mfis = now.memory.mfis();
+        let (mfis, robot) = (now.memory.mfis(), now.report.map_from_robot.position);
         let segments: Vec<Segment> =
             surfaces.iter().filter_map(|&id| mfis.get(id)).map(|surface| mfis.in_map(surface)).collect();
         let newest = self.network.current();
@@ -97,7 +98,9 @@ impl Places {
         let shares = others.map(|asr| {
             let way = self.trail.way() - self.last_in.get(&asr).copied().unwrap_or(0.0);
             let tolerance = self.params.overlap.tolerance_after(way);
-            (asr, overlap::share_within(&segments, &overlap::hull_of(&self.network, mfis, asr), tolerance))
+            let hull = overlap::hull_of(&self.network, mfis, asr);
+            let is_there = overlap::is_within(robot, &hull, tolerance);
+            (asr, if is_there { overlap::share_within(&segments, &hull, tolerance) } else { 0.0 })
         });
         let best = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
         (best.1 >= self.params.overlap.share).then_some(best)

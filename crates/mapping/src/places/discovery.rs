@@ -89,6 +89,7 @@ impl Places {
     /// Looks for a narrow place that the robot has gone through; behind it is another space.
     pub(super) fn go_through_new(&mut self, now: Now<'_>) -> Vec<Event> {
         let narrowness = &self.params.narrowness;
+        self.trail.look_back(self.nearby.surfaces(), narrowness);
         let Some(passage) = passage::find(&self.trail, self.since, Self::robot(now), narrowness) else {
             return Vec::new();
         };

@@ -9,7 +9,7 @@ use crate::memory::Mfis;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Overlap {
-    /// This share of the new space lies in the old one.
+    /// This share of the new space's surfaces lies in the old one, and so does the robot.
     pub share: f64,
     /// The old space is taken as wider by this, metres …
     pub tolerance: f64,
@@ -53,7 +53,8 @@ pub(super) fn hull_of(network: &Network, mfis: &Mfis, asr: AsrId) -> Vec<DVec2> 
     convex_hull(ends.collect())
 }
 
-fn is_within(point: DVec2, hull: &[DVec2], tolerance: f64) -> bool {
+/// Whether a point lies in a convex polygon, or not farther than a tolerance outside.
+pub(super) fn is_within(point: DVec2, hull: &[DVec2], tolerance: f64) -> bool {
     let mut edges = hull.iter().zip(hull.iter().cycle().skip(1));
     let inside = edges.clone().all(|(&a, &b)| (b - a).perp_dot(point - a) >= 0.0);
     inside || edges.any(|(&a, &b)| Segment::new(a, b).distance_to(point) <= tolerance)

@@ -51,7 +51,7 @@ const ASIDE: f64 = 0.2;
 impl Narrowness {
     /// With walls beside an exit as evidence.
     pub(super) fn with_jambs() -> Self {
-        Self { jamb_bonus: 0.4, min_jambs: 1, ..Self::default() }
+        Self { jamb_bonus: 0.48, min_jambs: 1, ..Self::default() }
     }
 
     /// How much of the way must be remembered, metres.
@@ -208,7 +208,8 @@ fn wall_beyond(jamb: DVec2, outward: DVec2, near: &[Near]) -> f64 {
     for surface in near {
         let segment = surface.segment;
         let Some(direction) = segment.direction() else { continue };
-        if direction.dot(outward).abs() < JAMB_COS {
+        let is_far = segment.distance_to(jamb) > JAMB_REACH + JAMB_OFFSET;
+        if is_far || direction.dot(outward).abs() < JAMB_COS {
             continue;
         }
         for (cell, covered) in (0..JAMB_CELLS).zip(&mut covered) {

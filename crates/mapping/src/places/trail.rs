@@ -2,7 +2,11 @@ use std::collections::VecDeque;
 
 use cogmap_geometry::{DVec2, Pose};
 
-use super::wideness::Chord;
+use super::{
+    nearby::Near,
+    passage::{self, Narrowness},
+    wideness::Chord,
+};
 use crate::memory::FrameId;
 
 /// Samples of the way are so far apart, metres.
@@ -89,6 +93,16 @@ impl Trail {
         }
         self.last = Some(at);
         strides
+    }
+
+    /// Looks again for the walls beside the narrow places not far behind: the far side of a wall is seen only after
+    /// the robot has gone through it.
+    pub(super) fn look_back(&mut self, near: &[Near], narrowness: &Narrowness) {
+        let oldest = self.way - narrowness.at_latest;
+        let recent = self.samples.iter_mut().filter(|sample| sample.way >= oldest && sample.jambs < 2);
+        for sample in recent.filter(|sample| sample.chord.width <= narrowness.max_width) {
+            sample.jambs = sample.jambs.max(passage::jambs_of(sample.chord.segment, near));
+        }
     }
 
     /// Adds a sample; what lies more than `memory` metres of way behind it is forgotten.

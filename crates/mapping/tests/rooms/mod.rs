@@ -1,6 +1,6 @@
 //! Small buildings, and a robot with perfect odometry and an ideal laser that drives through them.
 
-use cogmap_geometry::{DVec2, Pose, Segment, trig};
+use cogmap_geometry::{DVec2, Pose, Segment, normalize_angle, trig};
 use cogmap_mapping::{
     Mapper, MapperSetup, StepReport,
     memory::{ConsensusParams, PerceptualParams},
@@ -87,10 +87,17 @@ impl Drive {
         drive
     }
 
-    /// Turns to a point and goes there, looking each `step` metres.
+    /// Turns to a point and goes there, looking each 30° and each `step` metres.
     pub(crate) fn go_to(&mut self, point: [f64; 2], step: f64) {
         let ahead = DVec2::from(point) - self.pose.position;
         let heading = trig::atan2(ahead.y, ahead.x);
+        let turn = normalize_angle(heading - self.pose.heading);
+        let turns = (turn.abs() / (trig::PI / 6.0) - 1e-9).ceil();
+        let mut turned = 1.0;
+        while turned < turns {
+            self.turn(turn / turns);
+            turned += 1.0;
+        }
         let steps = (ahead.length() / step).round().max(1.0);
         let mut done = 1.0;
         let from = self.pose.position;
