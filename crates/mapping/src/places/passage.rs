@@ -187,7 +187,7 @@ pub(super) fn narrowest_near(chord: Segment, at: DVec2, near: &[Near], debris: f
 /// How far outward of a jamb its wall is looked for, metres.
 const JAMB_REACH: f64 = 1.0;
 /// How much of that must be wall, metres: a piece of furniture is less deep.
-const JAMB_WALL: f64 = 0.6;
+const JAMB_WALL: f64 = 0.45;
 /// How far the wall may lie from the chord's line, metres: a wall has two faces.
 const JAMB_OFFSET: f64 = 0.3;
 /// How far it may be turned against the chord, as the cosine: 25°.
