@@ -14,6 +14,7 @@ use crate::{
 /// Which mapper, with every parameter that it uses.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "mapper", rename_all = "snake_case")]
+#[allow(clippy::large_enum_variant, reason = "there are a few a session")]
 pub enum MapperSetup {
     /// Yeap's perceptual mapping as the thesis programs it (§3.2.1), to the letter.
     Perceptual(PerceptualParams),

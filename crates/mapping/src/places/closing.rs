@@ -5,7 +5,7 @@ use cogmap_geometry::Segment;
 use super::{AsrId, ExitId, Form, Now, Places, overlap, shape};
 use crate::{
     Event,
-    memory::{Mfis, SurfaceId},
+    memory::{Memory, Mfis, SurfaceId},
 };
 
 /// Spaces are compared each so many metres of way.
@@ -72,13 +72,14 @@ impl Places {
             }
         }
         let (old, share) = self.overlapped(now, self.network.surfaces_of(asr), left)?;
-        let fits = self.params.form == Form::Literal || self.is_no_larger(now.memory.mfis(), asr, old);
+        let fits = self.params.form == Form::Literal || self.is_no_larger(now.memory, asr, old);
         fits.then_some((old, share))
     }
 
     /// Whether a new space is not so much larger than an old one that it must be another.
-    fn is_no_larger(&self, mfis: &Mfis, newer: AsrId, older: AsrId) -> bool {
-        let area = |asr| overlap::area_of(&overlap::hull_of(&self.network, mfis, asr));
+    fn is_no_larger(&self, memory: &Memory, newer: AsrId, older: AsrId) -> bool {
+        let around = self.params.overlap.around;
+        let area = |asr| overlap::area_of(&overlap::hull_of(&self.network, memory, asr, around));
         area(newer) <= self.params.familiarity.larger * area(older)
     }
 
@@ -98,7 +99,7 @@ impl Places {
         let shares = others.map(|asr| {
             let way = self.trail.way() - self.last_in.get(&asr).copied().unwrap_or(0.0);
             let tolerance = self.params.overlap.tolerance_after(way);
-            let hull = overlap::hull_of(&self.network, mfis, asr);
+            let hull = overlap::hull_of(&self.network, now.memory, asr, self.params.overlap.around);
             let is_there = overlap::is_within(robot, &hull, tolerance);
             (asr, if is_there { overlap::share_within(&segments, &hull, tolerance) } else { 0.0 })
         });

@@ -45,7 +45,7 @@ impl Places {
     /// Goes over into the space behind a known exit once the robot is clear of it.
     pub(super) fn go_through_known(&mut self, now: Now<'_>) -> Vec<Event> {
         let Some(pending) = self.pending else { return Vec::new() };
-        let Some(exit) = self.network.exit(pending.exit).cloned() else { return Vec::new() };
+        let Some(exit) = self.network.exit(pending.exit).copied() else { return Vec::new() };
         let Some(here_from_frame) = self.nearby.here_from(exit.frame) else { return Vec::new() };
         let segment = here_from_frame * exit.segment;
         let off = segment.offset_of(Self::robot(now)).unwrap_or(0.0);

@@ -2,7 +2,10 @@ use cogmap_geometry::{DVec2, Segment};
 use serde::{Deserialize, Serialize};
 
 use super::{AsrId, Network, sight};
-use crate::memory::Mfis;
+use crate::memory::Memory;
+
+/// Of the robot's path points so far apart are taken, metres.
+const PATH_SPACING: f64 = 0.5;
 
 /// When a new space is an old one (§3.2.3): it mostly overlaps with it in the map. The thesis names no
 /// numbers; these are ours.
@@ -17,13 +20,15 @@ pub struct Overlap {
     pub drift: f64,
     /// … but not by more than this, metres.
     pub tolerance_max: f64,
+    /// What lies farther than this from where the robot was in a space does not count for where the space is, metres.
+    pub around: f64,
     /// A new space is compared again until the robot has gone this far in it, metres.
     pub within: f64,
 }
 
 impl Default for Overlap {
     fn default() -> Self {
-        Self { share: 0.5, tolerance: 0.3, drift: 0.01, tolerance_max: 2.0, within: 3.0 }
+        Self { share: 0.5, tolerance: 0.3, drift: 0.01, tolerance_max: 2.0, around: 4.0, within: 5.0 }
     }
 }
 
@@ -46,11 +51,22 @@ pub(super) fn share_within(surfaces: &[Segment], hull: &[DVec2], tolerance: f64)
     share
 }
 
-/// The hull of a space in the map.
-pub(super) fn hull_of(network: &Network, mfis: &Mfis, asr: AsrId) -> Vec<DVec2> {
+/// The hull of a space in the map: where the robot was in it, and its surfaces around there. What is farther off was
+/// mostly seen through doors that it has not gone through yet.
+pub(super) fn hull_of(network: &Network, memory: &Memory, asr: AsrId, around: f64) -> Vec<DVec2> {
+    let mfis = memory.mfis();
+    let mut points: Vec<DVec2> = Vec::new();
+    for point in memory.path().iter().filter(|point| network.asr_at(point.step) == Some(asr)) {
+        let at = mfis.place_of(point).position;
+        if points.last().is_none_or(|last| last.distance(at) >= PATH_SPACING) {
+            points.push(at);
+        }
+    }
+    let visited = points.clone();
+    let is_near = |point: &DVec2| visited.iter().any(|at| at.distance(*point) <= around);
     let surfaces = network.surfaces_of(asr).iter().filter_map(|&id| mfis.get(id));
-    let ends = surfaces.map(|surface| mfis.in_map(surface)).flat_map(|segment| [segment.a, segment.b]);
-    convex_hull(ends.collect())
+    points.extend(surfaces.flat_map(|surface| sight::samples(mfis.in_map(surface))).filter(is_near));
+    convex_hull(points)
 }
 
 /// Whether a point lies in a convex polygon, or not farther than a tolerance outside.

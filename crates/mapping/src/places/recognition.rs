@@ -3,7 +3,7 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use serde::{Deserialize, Serialize};
 
 use super::{AsrId, Network};
-use crate::{StepReport, memory::SurfaceId};
+use crate::{StepReport, memory::SurfaceId, perception::Surface};
 
 /// When a space is recognised by what is seen in it (`recommended`, ours): surfaces that the mapper
 /// recognised belong to a space already.
@@ -39,7 +39,7 @@ pub(super) struct Sightings {
 
 impl Sightings {
     pub(super) fn note(&mut self, report: &StepReport) {
-        let length = |seen: usize| report.view.surfaces.get(seen).map_or(0.0, |surface| surface.length());
+        let length = |seen: usize| report.view.surfaces.get(seen).map_or(0.0, Surface::length);
         let matched = report.matches.iter().map(|m| (m.known, length(m.seen)));
         self.views.push_back((report.step, matched.collect()));
         if self.views.len() > VIEWS {
