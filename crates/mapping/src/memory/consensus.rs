@@ -92,8 +92,8 @@ impl Default for ConsensusParams {
             loss: Loss::default(),
             recognition: Recognition::default(),
             places: PlacesParams::recommended(),
-            place_distance: 0.2,
-            place_turn: 8.6 * trig::PI / 180.0,
+            place_distance: 0.1,
+            place_turn: 5.0 * trig::PI / 180.0,
             frame_size: 4.0,
         }
     }
@@ -192,7 +192,7 @@ impl Consensus {
         let look_closer = loss.on && (self.doubted > 0 || fraction < loss.fraction);
         let agreement =
             look_closer.then(|| self.agreement(sight.look, self.frame_from_robot)).unwrap_or_default();
-        if !loss.doubts(self.doubted > 0, agreement) {
+        if !loss.doubts(fraction, agreement, self.doubted > 0) {
             self.doubted = 0;
             return None;
         }

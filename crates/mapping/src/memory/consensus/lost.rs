@@ -15,7 +15,7 @@ pub struct Loss {
     pub contradiction: f64,
     /// … of so many that tell anything.
     pub evidence: u32,
-    /// The doubt is gone as soon as no more than this share of the beams contradicts.
+    /// A doubt is gone as soon as no more than this share of the beams contradicts.
     pub settled: f64,
     /// The robot is lost after so many doubted views in a row; none of them is mapped.
     pub views: u32,
@@ -23,15 +23,20 @@ pub struct Loss {
 
 impl Default for Loss {
     fn default() -> Self {
-        Self { on: true, fraction: 0.6, contradiction: 0.16, evidence: 40, settled: 0.1, views: 2 }
+        Self { on: true, fraction: 0.6, contradiction: 0.15, evidence: 40, settled: 0.1, views: 2 }
     }
 }
 
 impl Loss {
-    /// Whether a view that fits badly, or follows a doubted one, cannot have been taken where the robot
-    /// believes to be.
-    pub(super) fn doubts(&self, already: bool, agreement: Agreement) -> bool {
-        let least = if already { self.settled } else { self.contradiction };
-        agreement.evidence() >= self.evidence && agreement.contradiction() > least
+    /// Whether a view, of which so much fits, cannot have been taken where the robot believes to be; one
+    /// that follows a doubted view is doubted more easily.
+    pub(super) fn doubts(&self, fraction: f64, agreement: Agreement, already: bool) -> bool {
+        let contradiction = agreement.contradiction();
+        let doubted = if already {
+            contradiction > self.settled
+        } else {
+            fraction < self.fraction && contradiction > self.contradiction
+        };
+        doubted && agreement.evidence() >= self.evidence
     }
 }
