@@ -16,6 +16,7 @@ mod line;
 mod look;
 mod lost;
 mod novelty;
+mod params;
 mod recall;
 mod recognition;
 mod relocation;
@@ -24,12 +25,11 @@ mod surroundings;
 
 use std::collections::VecDeque;
 
-use cogmap_geometry::{Pose, trig};
-use serde::{Deserialize, Serialize};
+use cogmap_geometry::Pose;
 
 pub use self::{
-    alignment::Alignment, look::FreeSpace, lost::Loss, novelty::Novelty, recognition::Recognition,
-    relocation::Relocation, search::Search, surroundings::Reach,
+    alignment::Alignment, look::FreeSpace, lost::Loss, novelty::Novelty, params::ConsensusParams,
+    recognition::Recognition, relocation::Relocation, search::Search, surroundings::Reach,
 };
 use self::{
     alignment::Fit,
@@ -42,62 +42,12 @@ use self::{
 use super::{FrameId, Link, LinkKind, Memory, Sighting, SurfaceId};
 use crate::{
     Placement, StepReport,
-    perception::{Extraction, Reading, View, extract},
-    places::PlacesParams,
+    perception::{Reading, View, extract},
     report::{Lost, Recalled},
 };
 
 /// So many looks back a view must bear out what was seen free.
 const RECENT: usize = 3;
-
-/// Every parameter of the consensus mapper.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct ConsensusParams {
-    /// How points become surfaces.
-    pub extraction: Extraction,
-    /// How a view is laid onto what is remembered.
-    pub alignment: Alignment,
-    /// Where else to look when the view does not fit where odometry puts it.
-    pub search: Search,
-    /// How much of the memory is near.
-    pub reach: Reach,
-    /// What of a view is new.
-    pub novelty: Novelty,
-    /// When what two scans saw of free space contradicts itself.
-    pub free_space: FreeSpace,
-    /// When the robot notices that it was moved unseen.
-    pub loss: Loss,
-    /// How a place known before is found again.
-    pub recognition: Recognition,
-    /// How the map is shared out among local spaces.
-    pub places: PlacesParams,
-    /// Surfaces are placed each so many metres …
-    pub place_distance: f64,
-    /// … or each so many radians.
-    pub place_turn: f64,
-    /// A new local frame is opened this far from the origin of the last one, metres.
-    pub frame_size: f64,
-}
-
-impl Default for ConsensusParams {
-    fn default() -> Self {
-        Self {
-            extraction: Extraction::default(),
-            alignment: Alignment::default(),
-            search: Search::default(),
-            reach: Reach::default(),
-            novelty: Novelty::default(),
-            free_space: FreeSpace::default(),
-            loss: Loss::default(),
-            recognition: Recognition::default(),
-            places: PlacesParams::recommended(),
-            place_distance: 0.1,
-            place_turn: 5.0 * trig::PI / 180.0,
-            frame_size: 4.0,
-        }
-    }
-}
 
 /// The consensus mapper; see the module for what it keeps of the theory and what it borrows.
 #[derive(Clone, Debug)]
