@@ -45,7 +45,7 @@ struct Robot {
 
 impl Robot {
     fn new(walls: Vec<Segment>, truth: Pose, error: [f64; 2]) -> Self {
-        let mapper = Mapper::new(&MapperSetup::named("consensus").unwrap(), 1);
+        let mapper = Mapper::new(&MapperSetup::Consensus(Box::default()), 1);
         let mut robot = Self {
             mapper,
             walls,

@@ -140,8 +140,11 @@ impl Consensus {
         let Fit { fraction, .. } = *fit.as_ref()?;
         let loss = &self.params.loss;
         let look_closer = loss.on && (self.doubted > 0 || fraction < loss.fraction);
-        let agreement =
-            look_closer.then(|| self.agreement(sight.look, self.frame_from_robot)).unwrap_or_default();
+        let agreement = if look_closer {
+            self.agreement(sight.look, self.frame_from_robot)
+        } else {
+            Agreement::default()
+        };
         if !loss.doubts(fraction, agreement, self.doubted > 0) {
             self.doubted = 0;
             return None;

@@ -38,8 +38,8 @@ impl Information {
             if value > least {
                 step.rank += 1;
                 let along: f64 = (0..3).map(|i| vector[i] * self.pull[i]).sum::<f64>() / value;
-                for i in 0..3 {
-                    step.by[i] += vector[i] * along;
+                for (by, part) in step.by.iter_mut().zip(vector) {
+                    *by += part * along;
                 }
             } else {
                 step.open = Some(vector);
