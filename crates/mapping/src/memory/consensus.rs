@@ -47,7 +47,7 @@ use crate::{
 };
 
 /// So many looks back a view must bear out what was seen free.
-const RECENT: usize = 3;
+const RECENT: usize = 5;
 
 /// The consensus mapper; see the module for what it keeps of the theory and what it borrows.
 #[derive(Clone, Debug)]
