@@ -52,7 +52,7 @@ impl MapServer {
         let occupied = yaml.number("occupied_thresh", [0.0, 1.0])?.unwrap_or(OCCUPIED);
         let free_thresh = yaml.number("free_thresh", [0.0, 1.0])?.unwrap_or(FREE.min(occupied));
         if free_thresh > occupied {
-            return Err(yaml.wrong("free_thresh", "lies above occupied_thresh".to_owned()));
+            return Err(yaml.wrong("free_thresh", "lies above occupied_thresh"));
         }
         let origin = yaml.numbers("origin", [-10_000.0, 10_000.0])?.unwrap_or([0.0; 3]);
         let negate = yaml.switch("negate")?.unwrap_or(false);

@@ -79,3 +79,35 @@ impl Walk<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::plan::{map_server::MapServer, picture::Picture};
+
+    /// Twice the area that a line goes round, positive with the inside on its right.
+    fn double_area(contour: &Contour) -> i64 {
+        let corners = contour.iter().map(|corner| corner.map(i64::from)).collect::<Vec<_>>();
+        corners.windows(2).map(|ends| ends[0][0] * ends[1][1] - ends[1][0] * ends[0][1]).sum()
+    }
+
+    proptest! {
+        #[test]
+        fn the_outlines_enclose_the_free_pixels_and_no_others(
+            brightness in prop::collection::vec(prop_oneof![Just(0_u8), Just(255)], 99),
+        ) {
+            let free = brightness.iter().filter(|shade| **shade == 255).count();
+            let picture = Picture { width: 11, height: 9, brightness };
+            let floor = Floor::of(&picture, &MapServer::of_picture("plan.png", 0.05));
+            let contours = contours(&floor).unwrap();
+            prop_assert_eq!(contours.iter().map(double_area).sum::<i64>(), 2 * free as i64);
+            for contour in &contours {
+                prop_assert_eq!(contour.first(), contour.last());
+                let straight = |ends: &[[u32; 2]]| (ends[0][0] == ends[1][0]) != (ends[0][1] == ends[1][1]);
+                prop_assert!(contour.windows(2).all(straight), "{:?}", contour);
+            }
+        }
+    }
+}

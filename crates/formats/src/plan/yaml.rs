@@ -59,7 +59,7 @@ impl<'a> Yaml<'a> {
         let entry = self.find(key).ok_or_else(|| self.missing(key, example))?;
         match entry.values[..] {
             [value] if !value.is_empty() => Ok(value.to_owned()),
-            _ => Err(self.wrong(key, "expected one value".to_owned())),
+            _ => Err(self.wrong(key, "expected one value")),
         }
     }
 
@@ -79,7 +79,7 @@ impl<'a> Yaml<'a> {
         let numbers: Option<Vec<f64>> = entry.values.iter().map(number).collect();
         let numbers = numbers.and_then(|numbers| <[f64; N]>::try_from(numbers).ok());
         let what = if N == 1 { "a number".to_owned() } else { format!("{N} numbers") };
-        numbers.map(Some).ok_or_else(|| self.wrong(key, format!("expected {what} from {low} to {high}")))
+        numbers.map(Some).ok_or_else(|| self.wrong(key, &format!("expected {what} from {low} to {high}")))
     }
 
     /// Yes or no, if it is there.
@@ -88,12 +88,12 @@ impl<'a> Yaml<'a> {
             None => Ok(None),
             Some(["0" | "false" | "False" | "no"]) => Ok(Some(false)),
             Some(["1" | "true" | "True" | "yes"]) => Ok(Some(true)),
-            Some(_) => Err(self.wrong(key, "expected 0 or 1".to_owned())),
+            Some(_) => Err(self.wrong(key, "expected 0 or 1")),
         }
     }
 
     /// The value of a key cannot be used.
-    pub(super) fn wrong(&self, key: &str, problem: String) -> FormatError {
+    pub(super) fn wrong(&self, key: &str, problem: &str) -> FormatError {
         let (line, value) = self.find(key).map_or((0, String::new()), |it| (it.line, it.values.join(", ")));
         self.broken(line, format!("`{key}` is \"{}\": {problem}", tame(&value)))
     }
