@@ -24,8 +24,11 @@ pub(crate) fn study(arguments: &StudyArguments) -> Result<(), Failure> {
     let Some(name) = &arguments.name else { return terminal::say(&list()) };
     let study = Study::named(name).ok_or_else(|| unknown(name))?;
     let mut timing = Timing::start();
-    let request =
-        Request { worlds: worlds(&arguments.worlds)?, log: log(arguments)?, noise: arguments.odometry_noise.clone() };
+    let request = Request {
+        worlds: worlds(&arguments.worlds)?,
+        log: log(arguments)?,
+        noise: arguments.odometry_noise.clone(),
+    };
     let conditions = (study.plan)(&request).map_err(Failure::input)?;
     let output = Output::at(arguments.out.as_deref(), arguments.force)?;
     let seeds = Seeds { first: arguments.first, count: arguments.seeds.unwrap_or(study.seeds) };

@@ -26,11 +26,7 @@ pub struct Mapping {
 impl Mapping {
     /// Feeds readings to a mapper; what is random in it comes from the seed.
     #[must_use]
-    pub fn of<'a>(
-        readings: impl Iterator<Item = &'a Reading>,
-        setup: &MapperSetup,
-        seed: u64,
-    ) -> Self {
+    pub fn of<'a>(readings: impl Iterator<Item = &'a Reading>, setup: &MapperSetup, seed: u64) -> Self {
         let mapper = Mapper::new(setup, seed);
         let mut mapping =
             Self { mapper, reports: Vec::new(), look_of_report: Vec::new(), estimate: Vec::new() };

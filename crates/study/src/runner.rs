@@ -23,7 +23,8 @@ pub fn run(
 ) -> Result<Vec<Row>, String> {
     let drives = drives(conditions, seeds);
     let truths: Vec<Option<Truth>> = conditions.iter().map(truth_of).collect();
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build().map_err(|error| error.to_string())?;
+    let pool =
+        rayon::ThreadPoolBuilder::new().num_threads(jobs).build().map_err(|error| error.to_string())?;
     let rows: Result<Vec<Vec<Row>>, String> = pool.install(|| {
         let rows_of = |(group, seed): (Range<usize>, u64)| {
             let rows = perform(conditions, (group, seed), &truths);

@@ -3,8 +3,17 @@ use cogmap_study::{Group, Measure, Outcome, Seeds};
 use super::tables::cell;
 
 /// The columns, by the measures' names.
-const COLUMNS: [&str; 9] =
-    ["shape", "gap", "heading_gap", "pieces", "displaced", "blocked", "exits_found", "exits_true", "home_known"];
+const COLUMNS: [&str; 9] = [
+    "shape",
+    "gap",
+    "heading_gap",
+    "pieces",
+    "displaced",
+    "blocked",
+    "exits_found",
+    "exits_true",
+    "home_known",
+];
 
 /// What must be said beside the figures.
 const HONESTLY: &str = "\
@@ -24,7 +33,11 @@ pub(super) fn of(seeds: Seeds, outcome: &Outcome) -> String {
         unit => format!("{} ({unit})", measure.head),
     };
     let heads: Vec<String> = measures.iter().map(unit).collect();
-    let mut text = format!("| where, robot | mapper | {} |\n|---|---|{}\n", heads.join(" | "), "--:|".repeat(heads.len()));
+    let mut text = format!(
+        "| where, robot | mapper | {} |\n|---|---|{}\n",
+        heads.join(" | "),
+        "--:|".repeat(heads.len())
+    );
     for group in outcome.groups() {
         text += &row(&group, &measures);
     }
@@ -33,7 +46,10 @@ pub(super) fn of(seeds: Seeds, outcome: &Outcome) -> String {
         text += &format!("- {}: {}\n", measure.head, measure.meaning);
     }
     let last = seeds.first + seeds.count - 1;
-    text += &format!("\nMedians, rates and ratios over the seeds {} to {last}, their 95 % intervals in brackets.\n\n", seeds.first);
+    text += &format!(
+        "\nMedians, rates and ratios over the seeds {} to {last}, their 95 % intervals in brackets.\n\n",
+        seeds.first
+    );
     text + HONESTLY
 }
 

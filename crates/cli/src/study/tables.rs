@@ -26,7 +26,8 @@ pub(crate) fn of(study: &Study, seeds: Seeds, outcome: &Outcome, checks: &[Check
 fn groups(outcome: &Outcome, condition: usize, shown: &[&Measure]) -> String {
     let mut said = String::new();
     for shown in shown.chunks(ACROSS) {
-        let heads: Vec<&str> = std::iter::once("mapper").chain(shown.iter().map(|measure| measure.head)).collect();
+        let heads: Vec<&str> =
+            std::iter::once("mapper").chain(shown.iter().map(|measure| measure.head)).collect();
         let mut table = Table::new(&heads);
         for group in outcome.groups().filter(|group| group.condition == condition) {
             let cells = shown.iter().map(|measure| cell(&group, measure));
@@ -80,7 +81,10 @@ fn legend(shown: &[&Measure]) -> String {
         let unit = if measure.unit.is_empty() { String::new() } else { format!(" ({})", measure.unit) };
         table.row(vec![measure.head.to_owned(), format!("{}{unit}", measure.meaning)]);
     }
-    format!("{}  Medians, rates and ratios over all runs, in brackets their 95 % intervals.\n", table.render())
+    format!(
+        "{}  Medians, rates and ratios over all runs, in brackets their 95 % intervals.\n",
+        table.render()
+    )
 }
 
 /// Claim by claim: the verdict for each form and robot, and what it rests on.
@@ -107,7 +111,11 @@ const RULE: &str = "  met: the figure itself lies where its criterion wants it. 
                     claim is supported if every criterion is, and refuted if any is.\n";
 
 fn verdicts(checks: &[Check]) -> String {
-    if checks.iter().any(|check| check.claim.is_some()) { claims(checks) } else { criteria(checks).render() + RULE }
+    if checks.iter().any(|check| check.claim.is_some()) {
+        claims(checks)
+    } else {
+        criteria(checks).render() + RULE
+    }
 }
 
 fn criteria(checks: &[Check]) -> Table {

@@ -3,7 +3,7 @@ use std::fs;
 use crate::workbench::{ROOM, Workbench};
 
 /// Arguments, what the message must name, and the way out that it must show.
-const CASES: [(&str, &str, &str); 49] = [
+const CASES: [(&str, &str, &str); 62] = [
     ("fly", "'fly'", "--help"),
     ("relay room.world.json", "'relay'", "'replay'"),
     ("run", "<WORLD>", "Usage: cogmap run"),
@@ -56,6 +56,19 @@ const CASES: [(&str, &str, &str); 49] = [
     ("replay cut.log.gz", "cut.log.gz: the gzip data is broken", "fetch the file again"),
     ("replay room.world.json", "room.world.json: this is a world", "cogmap run room.world.json"),
     ("replay plan.png", "plan.png: this is a picture", "CARMEN"),
+    ("study flight", "no study `flight`", "loop-b"),
+    ("study small --seeds 0", "--seeds", "1..=1000000"),
+    ("study small --jobs none", "--jobs", "invalid"),
+    ("study small --seed -1", "--seed", "not a number from 0"),
+    ("study small --worlds nowhere.world.json", "--worlds nowhere.world.json: no such file", "*.world.json"),
+    ("study small --worlds walk.log", "walk.log", "JSON"),
+    ("study small --worlds no-routes.world.json", "has no route", "route"),
+    ("study small --out walk.log", "--out walk.log: this is a file", "name a directory"),
+    ("study claims --worlds room.world.json", "leave --worlds out", "loop-b"),
+    ("study relations", "--log FILE", "--relations FILE"),
+    ("study relations --relations walk.log", "--log <FILE>", "--log"),
+    ("study relations --log room.world.json", "this is a world", "cogmap run"),
+    ("study relations --log walk.log --relations text.log", "text.log, line", "t1 t2"),
     ("check", "<FILE>", "Usage: cogmap check"),
 ];
 

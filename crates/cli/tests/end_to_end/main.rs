@@ -7,6 +7,9 @@ mod workbench;
 /// What `run`, `replay` and `check` leave on disk and on screen, and how they end.
 mod command_line;
 
+/// What `study` shows and leaves: the same whatever the number of cores.
+mod studies;
+
 /// Arguments and files that cannot be used: each ends with exit code 2, the place and the way out.
 mod bad_arguments;
 

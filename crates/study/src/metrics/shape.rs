@@ -1,9 +1,7 @@
 use cogmap_geometry::{Pose, Segment, trig};
 
-use super::{Mapped, Sample, alignment::by_whole_way};
+use super::{LONG, Mapped, Sample, alignment::by_whole_way};
 
-/// A wall this long is one of the sides that a building's shape rests on, metres.
-const MAIN_WALL: f64 = 2.0;
 /// A surface that was seen turned from its wall by more than this shows something else as well, radians.
 const ASKEW: f64 = 5.0 * trig::PI / 180.0;
 
@@ -44,13 +42,13 @@ pub fn length(samples: &[Sample]) -> f64 {
     samples.windows(2).map(step).sum()
 }
 
-/// How far the main walls of the map are turned from where they should be: root mean square over
+/// How far the long walls of the map are turned from where they should be: root mean square over
 /// the walls, radians; of a wall, the mean over its long surfaces by their lengths.
 #[must_use]
 #[allow(clippy::cast_precision_loss, reason = "a building has a few hundred walls")]
 pub fn side_angles(surfaces: &[Mapped], walls: &[Segment], world_from_map: Pose) -> Option<f64> {
     let mut squares = Vec::new();
-    for (number, wall) in walls.iter().enumerate().filter(|(_, wall)| wall.length() >= MAIN_WALL) {
+    for (number, wall) in walls.iter().enumerate().filter(|(_, wall)| wall.length() >= LONG) {
         let (mut sum, mut weight) = (0.0, 0.0);
         let shows = |s: &&Mapped| s.wall == Some(number) && s.is_long() && s.in_world.angle_to(*wall) < ASKEW;
         for surface in surfaces.iter().filter(shows) {
@@ -92,10 +90,11 @@ mod tests {
     #[test]
     fn a_wall_turned_by_2_degrees_and_one_that_is_not_make_the_root_of_2_degrees() {
         let line = |ax, ay, bx, by| Segment::new(DVec2::new(ax, ay), DVec2::new(bx, by));
-        let walls = [line(0.0, 0.0, 4.0, 0.0), line(4.0, 0.0, 4.0, 4.0), line(0.0, 0.0, 1.0, 0.0)];
+        let walls = [line(0.0, 0.0, 4.0, 0.0), line(4.0, 0.0, 4.0, 4.0), line(0.0, 0.0, 0.9, 0.0)];
         let turn = Pose::new(0.0, 0.0, 2.0_f64.to_radians());
         let mapped = |in_map, wall| Mapped { in_map, in_world: walls[wall], wall: Some(wall) };
-        let surfaces = [mapped(turn * walls[0].reversed(), 0), mapped(walls[1], 1), mapped(turn * walls[2], 2)];
+        let surfaces =
+            [mapped(turn * walls[0].reversed(), 0), mapped(walls[1], 1), mapped(turn * walls[2], 2)];
         let angle = side_angles(&surfaces, &walls, Pose::IDENTITY).unwrap().to_degrees();
         assert!((angle - 2.0_f64.sqrt()).abs() < 1e-9, "{angle}");
         assert_eq!(side_angles(&surfaces[2..], &walls, Pose::IDENTITY), None);

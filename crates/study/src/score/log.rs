@@ -13,7 +13,10 @@ pub fn score_log(recording: &Recording, mapping: &Mapping, relations: &[Relation
     let mut values = Values::default();
     let mfis = mapping.mapper.mfis();
     values.put("surfaces", count(mfis.surfaces().len()));
-    values.put("surfaces_long", count(mfis.surfaces().iter().filter(|s| s.segment.length() >= super::LONG).count()));
+    values.put(
+        "surfaces_long",
+        count(mfis.surfaces().iter().filter(|s| s.segment.length() >= super::LONG).count()),
+    );
     odometry::score(mapping, &mut values);
     let stamped = |reading: &cogmap_mapping::perception::Reading| Stamped {
         t: reading.t,

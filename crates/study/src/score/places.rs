@@ -63,14 +63,17 @@ fn visits(drive: &Drive, mapping: &Mapping, (network, truth): (&Network, &Truth)
     let mut visits: Vec<(usize, Vec<AsrId>)> = Vec::new();
     for (report, &look) in mapping.reports.iter().zip(&mapping.look_of_report) {
         let at = drive.looks[look].world_from_robot.position;
-        let (Some(room), Some(asr)) = (room_at(&truth.rooms, at), network.asr_at(report.step)) else { continue };
+        let (Some(room), Some(asr)) = (room_at(&truth.rooms, at), network.asr_at(report.step)) else {
+            continue;
+        };
         let asr = network.lasting(asr);
         match visits.last_mut() {
             Some((last, asrs)) if *last == room => asrs.push(asr),
             _ => visits.push((room, vec![asr])),
         }
     }
-    let visit = |(room, asrs): &(usize, Vec<AsrId>)| Visit { room: number(*room), asr: most_frequent(asrs).0 };
+    let visit =
+        |(room, asrs): &(usize, Vec<AsrId>)| Visit { room: number(*room), asr: most_frequent(asrs).0 };
     visits.iter().map(visit).collect()
 }
 
@@ -104,8 +107,10 @@ fn put_visits(visits: &[Visit], network: &Network, values: &mut Values) {
     passages.dedup();
     let room_of: BTreeMap<u32, u32> = visits.iter().rev().map(|visit| (visit.asr, visit.room)).collect();
     let nodes: Vec<u32> = network.asrs().iter().map(|asr| asr.id.0).collect();
-    let edges: Vec<(u32, u32)> = network.exits().iter().map(|exit| (exit.between[0].0, exit.between[1].0)).collect();
-    let edits = network_edits(&PlaceGraph::new(&rooms, &passages), &PlaceGraph::new(&nodes, &edges), &room_of);
+    let edges: Vec<(u32, u32)> =
+        network.exits().iter().map(|exit| (exit.between[0].0, exit.between[1].0)).collect();
+    let edits =
+        network_edits(&PlaceGraph::new(&rooms, &passages), &PlaceGraph::new(&nodes, &edges), &room_of);
     values.put("network_edits", count(edits));
 }
 
@@ -116,7 +121,8 @@ fn put_division(drive: &Drive, mapping: &Mapping, (network, truth): (&Network, &
         let seen = mapping.reports.get(stored.step)?.view.surfaces.get(stored.index_in_view)?;
         let from = drive.looks.get(*mapping.look_of_report.get(stored.step)?)?.world_from_robot;
         let middle = from * seen.segment.midpoint();
-        let room = room_at(&truth.rooms, middle + (from.position - middle).normalize_or_zero() * BEFORE_WALL)?;
+        let room =
+            room_at(&truth.rooms, middle + (from.position - middle).normalize_or_zero() * BEFORE_WALL)?;
         let asr = network.lasting(network.asr_of(stored.id)?).0;
         Some(Labelled { room: number(room), asr, size: seen.length() })
     });

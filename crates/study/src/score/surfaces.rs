@@ -12,7 +12,9 @@ use crate::{
 
 /// A surface counts as displaced from here, metres (§3.2.3 shows one).
 const DISPLACED: f64 = 0.5;
-/// A surface is part of a room's outline if it was seen so near to a side of it, metres …
+/// A surface this long is part of a room's outline, metres …
+const OF_OUTLINE: f64 = 0.5;
+/// … if it was seen so near to a side of it, metres …
 const ON_SIDE: f64 = 0.15;
 /// … and turned against it by no more than this, radians.
 const ALONG_SIDE: f64 = 5.0 * cogmap_geometry::trig::PI / 180.0;
@@ -67,10 +69,14 @@ pub(super) fn score_room(surfaces: &[Mapped], (truth, samples): (&Truth, &[Sampl
     let sides: Vec<Segment> = corners.map(|(&a, &b)| Segment::new(a, b)).collect();
     let bounds = |surface: &&Mapped| {
         let seen = surface.in_world;
-        let on = |side: &Segment| side.distance_to(seen.midpoint()) < ON_SIDE && side.angle_to(seen) < ALONG_SIDE;
-        surface.is_long() && sides.iter().any(on)
+        let on =
+            |side: &Segment| side.distance_to(seen.midpoint()) < ON_SIDE && side.angle_to(seen) < ALONG_SIDE;
+        seen.length() >= OF_OUTLINE && sides.iter().any(on)
     };
     let outline: Vec<Segment> = surfaces.iter().filter(bounds).map(|surface| surface.in_map).collect();
+    if outline.len() < sides.len() {
+        return;
+    }
     if let Some(fit) = rectangle_fit(&outline) {
         values.put("rectangle", fit.rms);
         values.put("rectangle_angle", fit.angle.to_degrees());

@@ -1,7 +1,8 @@
 use std::sync::Arc;
 
 use super::{
-    PERCEPTUAL, NO_RECOGNITION, courses, grid, loop_b, no_recognition, consensus, odometry, perceptual, relations, robots, transform, treated,
+    NO_RECOGNITION, PERCEPTUAL, consensus, courses, grid, loop_b, no_recognition, odometry, perceptual,
+    relations, robots, transform, treated,
 };
 use crate::{Check, Condition, Log, Outcome, Request, Study, Treatment};
 
@@ -18,7 +19,18 @@ pub(crate) const STUDY: Study = Study {
             the traditional one has the better shape depends on that length: a curve, not a verdict. With --log and \
             --relations the same is done to a real log.",
     seeds: 100,
-    shown: &["views", "shape", "side_angle", "gap", "heading_gap", "pieces", "displaced", "fallbacks", "partly", "relations"],
+    shown: &[
+        "views",
+        "shape",
+        "side_angle",
+        "gap",
+        "heading_gap",
+        "pieces",
+        "displaced",
+        "fallbacks",
+        "partly",
+        "relations",
+    ],
     plan: |request| {
         let courses = courses(request, "environment-b", "loop")?;
         let mappers = [odometry(), transform(), perceptual(), no_recognition(), consensus()];

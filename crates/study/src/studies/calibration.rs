@@ -24,8 +24,11 @@ pub(crate) fn calibrated(outcome: &Outcome) -> Vec<Check> {
     for (robot, degrees) in [("good", 10.0), ("bad", 90.0)] {
         for group in outcome.groups_of(robot, ODOMETRY) {
             let figure = group.figure_of("heading_gap");
-            for (word, bound) in [("less", Bound::AtLeast(degrees * 0.8)), ("more", Bound::AtMost(degrees * 1.2))] {
-                let criterion = format!("{robot} robot: at the end not a fifth {word} than {degrees}° off (median)");
+            for (word, bound) in
+                [("less", Bound::AtLeast(degrees * 0.8)), ("more", Bound::AtMost(degrees * 1.2))]
+            {
+                let criterion =
+                    format!("{robot} robot: at the end not a fifth {word} than {degrees}° off (median)");
                 checks.push(Check::figure(criterion, figure, bound));
             }
         }

@@ -1,6 +1,6 @@
 use super::{
-    CONSENSUS, NO_RECOGNITION, PERCEPTUAL, TRANSFORM, consensus, courses, grid, identity, independence, loop_b,
-    no_recognition, odometry, perceptual, propagation, robots, transform, treated,
+    CONSENSUS, NO_RECOGNITION, PERCEPTUAL, TRANSFORM, consensus, courses, grid, identity, independence,
+    loop_b, no_recognition, odometry, perceptual, propagation, robots, transform, treated,
 };
 use crate::{
     Bound, Check, Claim, Condition, Group, Outcome, Request, Study, Treatment,
@@ -34,10 +34,13 @@ const USELESS: f64 = 10.0;
 
 fn plan(request: &Request) -> Result<Vec<Condition>, String> {
     if !request.worlds.is_empty() {
-        return Err("the claims have their own worlds: leave --worlds out, or run `loop-b` with it".to_owned());
+        return Err(
+            "the claims have their own worlds: leave --worlds out, or run `loop-b` with it".to_owned()
+        );
     }
     let robots = robots(&ROBOTS);
-    let (loop_b, loop_a) = (courses(request, "environment-b", "loop")?, courses(request, "environment-a", "loop")?);
+    let (loop_b, loop_a) =
+        (courses(request, "environment-b", "loop")?, courses(request, "environment-a", "loop")?);
     let shapes = [odometry(), transform(), perceptual(), no_recognition()];
     let treatments = [1.0, USELESS].map(|odometry| Treatment { odometry, every: None });
     let mut conditions: Vec<Condition> =
@@ -53,7 +56,10 @@ fn plan(request: &Request) -> Result<Vec<Condition>, String> {
 const ROBOTS: [&str; 2] = ["good", "bad"];
 
 const STATEMENTS: [(&str, &str); 9] = [
-    ("C1", "a map built without any error correction keeps a good layout although movement is measured badly"),
+    (
+        "C1",
+        "a map built without any error correction keeps a good layout although movement is measured badly",
+    ),
     ("C2", "there are errors in such a map, but they stay local: movement measurements do not enter it"),
     ("C3", "on the same route this map is much better than a traditional one with error correction"),
     ("C4", "a network of local spaces closes loops although the map's ends do not meet"),
@@ -61,7 +67,10 @@ const STATEMENTS: [(&str, &str); 9] = [
     ("C6", "the robot needs a user's help only rarely"),
     ("C7", "that two views have no common surface is very rare and happens only in special situations"),
     ("C8", "virtually all mapping problems come from recognition, not from placement"),
-    ("C9", "dividing a big space into several local spaces is acceptable; one space for several rooms is not"),
+    (
+        "C9",
+        "dividing a big space into several local spaces is acceptable; one space for several rooms is not",
+    ),
 ];
 
 fn judge(outcome: &Outcome) -> Vec<Check> {
@@ -93,11 +102,9 @@ impl<'a> Asked<'a> {
             "C2" => self.local_errors(),
             "C3" => self.better_than_traditional(),
             "C4" => self.closes_loops(),
-            "C5" | "C6" => vec![Check::figure(
-                "not tested: this version has no navigation",
-                None,
-                Bound::AtLeast(1.0),
-            )],
+            "C5" | "C6" => {
+                vec![Check::figure("not tested: this version has no navigation", None, Bound::AtLeast(1.0))]
+            }
             "C7" => self.rarely_lost(),
             "C8" => self.recognition_is_the_problem(),
             _ => self.pure_spaces(),
@@ -119,8 +126,12 @@ impl<'a> Asked<'a> {
             let shape = group.rate(|values| values.get("shape_share").map(|share| share <= 1.0));
             let sides = group.figure_of("side_angle");
             [
-                Check::rate("shape error at most 1 % of the way in at least 90 % of runs", shape, Bound::AtLeast(0.9)),
-                Check::figure("walls of at least 2 m turned by at most 5° (median of rms)", sides, Bound::AtMost(5.0)),
+                Check::rate(
+                    "shape error at most 1 % of the way in at least 90 % of runs",
+                    shape,
+                    Bound::AtLeast(0.9),
+                ),
+                Check::figure("long walls turned by at most 5° (median of rms)", sides, Bound::AtMost(5.0)),
             ]
         };
         self.on_loop(self.shape, 1).into_iter().flat_map(check).collect()
@@ -129,7 +140,9 @@ impl<'a> Asked<'a> {
     fn local_errors(&self) -> Vec<Check> {
         let useless = self.groups(self.shape, |c| c.treatment.odometry == USELESS);
         let pairs = self.on_loop(self.shape, 1).into_iter().zip(useless);
-        let check = |(mild, hard): (Group<'_>, Group<'_>)| [independence::steady(&mild, &hard), propagation::local(&mild)];
+        let check = |(mild, hard): (Group<'_>, Group<'_>)| {
+            [independence::steady(&mild, &hard), propagation::local(&mild)]
+        };
         pairs.flat_map(check).collect()
     }
 
@@ -173,15 +186,20 @@ impl<'a> Asked<'a> {
             let part = |row: &crate::Row| row.values.get("fallbacks").zip(row.values.get("views"));
             let lost = share_estimate(&group.rows().filter_map(part).collect::<Vec<_>>());
             let excused = group.figure_of("fallbacks_excused");
-            let mut checks =
-                vec![Check::share(format!("{place}: at most 1 % of views without a reference"), lost, Bound::AtMost(0.01))];
+            let mut checks = vec![Check::share(
+                format!("{place}: at most 1 % of views without a reference"),
+                lost,
+                Bound::AtMost(0.01),
+            )];
             if excused.is_some() {
-                let criterion = format!("{place}: at least 95 % of them where nothing or parallel walls are in view");
+                let criterion =
+                    format!("{place}: at least 95 % of them where nothing or parallel walls are in view");
                 checks.push(Check::share(criterion, excused, Bound::AtLeast(0.95)));
             }
             checks
         };
-        let rooms = |c: &Condition| c.treatment == Treatment::default() && (c.times == MORE || c.place() != LOOP);
+        let rooms =
+            |c: &Condition| c.treatment == Treatment::default() && (c.times == MORE || c.place() != LOOP);
         self.groups(self.form, rooms).into_iter().flat_map(check).collect()
     }
 

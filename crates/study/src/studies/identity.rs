@@ -49,11 +49,14 @@ fn with_sight(robot: &str, share: f64) -> String {
 pub(crate) fn all_by_sight(blind: &[Group<'_>], outcome: &Outcome) -> Vec<Check> {
     let check = |blind: &Group<'_>| {
         let sighted = with_sight(blind.robot(), 1.0);
-        let sighted = outcome.groups_of(&sighted, blind.label()).find(|group| group.of().place() == blind.of().place())?;
+        let sighted = outcome
+            .groups_of(&sighted, blind.label())
+            .find(|group| group.of().place() == blind.of().place())?;
         // The second value over the first: what remains.
         let remains = paired(&blind.pairs(&sighted, "shape")).and_then(|paired| paired.ratio);
         let who = format!("{} robot, {}", blind.robot(), blind.label());
-        let criterion = format!("{who}: told apart by sight, at most 10 % of the shape error remains (median)");
+        let criterion =
+            format!("{who}: told apart by sight, at most 10 % of the shape error remains (median)");
         Some(Check::share(criterion, remains, Bound::AtMost(0.1)))
     };
     blind.iter().filter_map(check).collect()

@@ -1,6 +1,6 @@
 use super::{
-    NO_RECOGNITION, PERCEPTUAL, TRANSFORM, consensus, courses, grid, no_recognition, odometry,
-    perceptual, robots, transform, treated,
+    NO_RECOGNITION, PERCEPTUAL, TRANSFORM, consensus, courses, grid, no_recognition, odometry, perceptual,
+    robots, transform, treated,
 };
 use crate::{Bound, Check, Group, Outcome, Study, Treatment, metrics::Rate};
 

@@ -1,6 +1,6 @@
 use super::{
-    NO_RECOGNITION, PERCEPTUAL, consensus, courses, grid, loop_b, no_recognition, odometry, perceptual, robots,
-    transform,
+    NO_RECOGNITION, PERCEPTUAL, consensus, courses, grid, loop_b, no_recognition, odometry, perceptual,
+    robots, transform,
 };
 use crate::{Bound, Check, Outcome, Study};
 
@@ -16,8 +16,19 @@ pub(crate) const STUDY: Study = Study {
             parallel walls.",
     seeds: 200,
     shown: &[
-        "shape", "gap", "gap_share", "heading_gap", "pieces", "displaced", "blocked", "blocked_then", "fallbacks",
-        "fallbacks_excused", "longest_fallback", "partly", "partly_excused",
+        "shape",
+        "gap",
+        "gap_share",
+        "heading_gap",
+        "pieces",
+        "displaced",
+        "blocked",
+        "blocked_then",
+        "fallbacks",
+        "fallbacks_excused",
+        "longest_fallback",
+        "partly",
+        "partly_excused",
     ],
     plan: |request| {
         let courses = courses(request, "environment-a", "loop")?;
@@ -31,9 +42,10 @@ fn judge(outcome: &Outcome) -> Vec<Check> {
     let mut checks = Vec::new();
     for mapper in [PERCEPTUAL, NO_RECOGNITION] {
         for group in outcome.groups_of("bad", mapper) {
-            for (measure, most, what) in
-                [("gap_share", 1.0, "closing gap at most 1 % of the way"), ("heading_gap", 5.0, "turned by at most 5° at the end")]
-            {
+            for (measure, most, what) in [
+                ("gap_share", 1.0, "closing gap at most 1 % of the way"),
+                ("heading_gap", 5.0, "turned by at most 5° at the end"),
+            ] {
                 checks.push(Check::rate(
                     format!("{mapper}: {what} in at least 90 % of runs"),
                     group.rate(|values| values.get(measure).map(|value| value <= most)),

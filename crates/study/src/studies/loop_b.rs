@@ -1,6 +1,6 @@
 use super::{
-    CONSENSUS, NO_RECOGNITION, PERCEPTUAL, TRANSFORM, consensus, courses, grid, no_recognition,
-    odometry, perceptual, robots, transform,
+    CONSENSUS, NO_RECOGNITION, PERCEPTUAL, TRANSFORM, consensus, courses, grid, no_recognition, odometry,
+    perceptual, robots, transform,
 };
 use crate::{Bound, Check, Group, Outcome, Study, metrics::Rate};
 
@@ -16,8 +16,23 @@ pub(crate) const STUDY: Study = Study {
             recognise no place; the network is scored apart, on the one that does.",
     seeds: 1000,
     shown: &[
-        "shape", "shape_share", "side_angle", "gap", "heading_gap", "pieces", "length_mapped", "displaced",
-        "blocked", "blocked_then", "fallbacks", "partly", "asrs", "exits_found", "exits_true", "home_known", "false_closures",
+        "shape",
+        "shape_share",
+        "side_angle",
+        "gap",
+        "heading_gap",
+        "pieces",
+        "length_mapped",
+        "displaced",
+        "blocked",
+        "blocked_then",
+        "fallbacks",
+        "partly",
+        "asrs",
+        "exits_found",
+        "exits_true",
+        "home_known",
+        "false_closures",
     ],
     plan: |request| {
         let courses = courses(request, "environment-b", "loop")?;
@@ -51,7 +66,8 @@ pub(crate) fn lower_shape(ours: &Group<'_>, traditional: &Group<'_>) -> Check {
     let mut lower = Rate::default();
     ours.pairs(traditional, "shape").iter().for_each(|(ours, theirs)| lower.count(ours < theirs));
     let title = ours.of().title();
-    let criterion = format!("{title}, {}: lower shape error than {TRANSFORM} in at least 95 % of runs", ours.label());
+    let criterion =
+        format!("{title}, {}: lower shape error than {TRANSFORM} in at least 95 % of runs", ours.label());
     Check::rate(criterion, lower, Bound::AtLeast(0.95))
 }
 
@@ -87,9 +103,17 @@ pub(crate) fn of_network(outcome: &Outcome, robot: &str, mapper: &str) -> Vec<Ch
     for group in outcome.groups_of(robot, mapper) {
         let who = format!("{robot} robot, {mapper}");
         for (name, what, bound) in [
-            ("exits_found", "an exit is found, at most 0.5 m off, for at least 95 % of the doorways", Bound::AtLeast(0.95)),
+            (
+                "exits_found",
+                "an exit is found, at most 0.5 m off, for at least 95 % of the doorways",
+                Bound::AtLeast(0.95),
+            ),
             ("exits_true", "at least 95 % of the exits are doorways", Bound::AtLeast(0.95)),
-            ("asrs_fit", "as many spaces as rooms to a quarter, in at least 95 % of runs", Bound::AtLeast(0.95)),
+            (
+                "asrs_fit",
+                "as many spaces as rooms to a quarter, in at least 95 % of runs",
+                Bound::AtLeast(0.95),
+            ),
             ("home_known", "start and end share a space in at least 98 % of runs", Bound::AtLeast(0.98)),
             ("false_closures", "at most 0.5 % of new rooms are taken for old ones", Bound::AtMost(0.005)),
         ] {

@@ -1,5 +1,6 @@
 use super::{
-    CLOSEST_PAIR, NO_RECOGNITION, PERCEPTUAL, closest_pair, courses, grid, no_recognition, odometry, perceptual, robots, transform, whole_map,
+    CLOSEST_PAIR, NO_RECOGNITION, PERCEPTUAL, closest_pair, courses, grid, no_recognition, odometry,
+    perceptual, robots, transform, whole_map,
 };
 use crate::{Bound, Check, Outcome, Study, metrics::estimate};
 

@@ -1,6 +1,6 @@
 use super::{
-    NO_RECOGNITION, ODOMETRY, PERCEPTUAL, TRANSFORM, consensus, courses, grid, no_recognition, odometry, perceptual,
-    robots, transform,
+    NO_RECOGNITION, ODOMETRY, PERCEPTUAL, TRANSFORM, consensus, courses, grid, no_recognition, odometry,
+    perceptual, robots, transform,
 };
 use crate::{Bound, Check, Group, Outcome, Study};
 
@@ -18,7 +18,17 @@ pub(crate) const STUDY: Study = Study {
             the map says of two places grows with the way between them (2 to 64 m): 0 for errors that stay \
             local, 0.5 for a random walk of the position, 1.5 for one of the heading.",
     seeds: 100,
-    shown: &["error_2", "error_4", "error_8", "error_16", "error_32", "error_64", "pieces", "length_mapped", "blocked_steps"],
+    shown: &[
+        "error_2",
+        "error_4",
+        "error_8",
+        "error_16",
+        "error_32",
+        "error_64",
+        "pieces",
+        "length_mapped",
+        "blocked_steps",
+    ],
     plan: |request| {
         let courses = courses(request, "environment-b", "two-laps")?;
         let mappers = [odometry(), transform(), perceptual(), no_recognition(), consensus()];
@@ -40,7 +50,11 @@ fn judge(outcome: &Outcome) -> Vec<Check> {
 /// Whether errors stay where they are made.
 pub(crate) fn local(group: &Group<'_>) -> Check {
     Check::figure(
-        format!("{} robot, {}: errors grow with distance to the power of at most {LOCAL}", group.robot(), group.label()),
+        format!(
+            "{} robot, {}: errors grow with distance to the power of at most {LOCAL}",
+            group.robot(),
+            group.label()
+        ),
         group.exponent(),
         Bound::AtMost(LOCAL),
     )

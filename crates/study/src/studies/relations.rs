@@ -20,7 +20,16 @@ pub(crate) const STUDY: Study = Study {
             local frames. The thesis has nothing like it; figures for the Intel log from the literature are \
             0.220 m (scan matching), 0.070 m (particle filter) and 0.031 m (graph mapping).",
     seeds: 5,
-    shown: &["relations", "relations_network", "views", "surfaces", "frames", "recognised", "fallbacks", "partly"],
+    shown: &[
+        "relations",
+        "relations_network",
+        "views",
+        "surfaces",
+        "frames",
+        "recognised",
+        "fallbacks",
+        "partly",
+    ],
     plan: |request| {
         let log = request.log.as_ref().ok_or("this study needs a log: --log FILE --relations FILE")?;
         let noise = if request.noise.is_empty() { &NOISE[..] } else { &request.noise };

@@ -9,7 +9,15 @@ pub(crate) const STUDY: Study = Study {
             is to be said honestly of the literal form and of ours.",
     seeds: 200,
     shown: &[
-        "shape", "gap", "heading_gap", "pieces", "displaced", "blocked", "exits_found", "exits_true", "home_known",
+        "shape",
+        "gap",
+        "heading_gap",
+        "pieces",
+        "displaced",
+        "blocked",
+        "exits_found",
+        "exits_true",
+        "home_known",
     ],
     plan: |request| {
         let mut conditions = Vec::new();

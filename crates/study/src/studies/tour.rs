@@ -13,8 +13,17 @@ pub(crate) const STUDY: Study = Study {
             number of spaces, and whether the network ends with eleven nodes, its loop closed.",
     seeds: 1000,
     shown: &[
-        "asrs", "rooms", "network_edits", "exits_found", "exits_true", "exit_error", "home_known", "revisits_known",
-        "false_closures", "purity", "room_f1",
+        "asrs",
+        "rooms",
+        "network_edits",
+        "exits_found",
+        "exits_true",
+        "exit_error",
+        "home_known",
+        "revisits_known",
+        "false_closures",
+        "purity",
+        "room_f1",
     ],
     plan: |request| {
         let courses = courses(request, "tour", "tour")?;
@@ -31,7 +40,9 @@ fn judge(outcome: &Outcome) -> Vec<Check> {
             for group in outcome.groups_of(robot, mapper) {
                 let eleven = group.rate(|values| values.get("asrs").map(|asrs| asrs == NODES));
                 checks.push(Check::rate(
-                    format!("{robot} robot, {mapper}: the network ends with eleven nodes in at least 95 % of runs"),
+                    format!(
+                        "{robot} robot, {mapper}: the network ends with eleven nodes in at least 95 % of runs"
+                    ),
                     eleven,
                     Bound::AtLeast(0.95),
                 ));

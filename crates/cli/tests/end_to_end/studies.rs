@@ -1,0 +1,51 @@
+use crate::workbench::Workbench;
+
+#[test]
+fn the_studies_are_listed_and_explained() {
+    let bench = Workbench::new();
+    let list = bench.cogmap("study").done().out;
+    let help = bench.cogmap("study --help").done().out;
+    for name in ["small", "loop-b", "placement", "loop-a", "tour", "claims", "results"] {
+        assert!(list.lines().any(|line| line.trim_start().starts_with(name)), "{name}\n{list}");
+        assert!(help.contains(&format!("{name} (")), "{name}\n{help}");
+    }
+}
+
+#[test]
+fn a_study_leaves_a_row_for_each_run_and_mapper_whatever_the_number_of_jobs() {
+    let bench = Workbench::new();
+    bench.cogmap("study small --worlds *.world.json --seeds 3 --jobs 1 --seed 7 --out one").done();
+    let said =
+        bench.cogmap("study small --worlds room.world.json --seeds 3 --jobs 3 --seed 7 --out many").done();
+    assert!(said.out.contains("Room, across, bad robot") && said.out.contains("criterion"), "{}", said.out);
+    let runs = bench.read("one/runs.csv");
+    assert_eq!(runs, bench.read("many/runs.csv"));
+    assert_eq!(bench.read("one/summary.json"), bench.read("many/summary.json"));
+    let rows: Vec<Vec<&str>> = runs.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows.len(), 1 + 2 * 3 * 4, "a head; two robots, three seeds, four mappers");
+    assert!(rows.iter().all(|row| row.len() == rows[0].len()));
+    assert_eq!(rows[0][..7], ["world", "route", "robot", "odometry", "every", "seed", "mapper"]);
+    assert_eq!(rows[1][..7], ["Room", "across", "good", "1", "", "7", "odometry"]);
+    let summary: serde_json::Value = serde_json::from_str(&bench.read("one/summary.json")).unwrap();
+    assert_eq!(summary["seeds"], serde_json::json!({"first": 7, "count": 3}));
+    assert!(summary["groups"][0]["figures"]["shape"]["low"].is_number());
+    assert!(summary["mappers"]["perceptual"]["matching"].is_object(), "every parameter is there");
+}
+
+#[test]
+fn a_log_is_studied_against_its_relations() {
+    let bench = Workbench::new();
+    bench.put("walk.relations", "0 2 0.8 0 0 0 0 0\n0 4 1.6 0 0 0 0 0\n");
+    let said = bench
+        .cogmap("study relations --log walk.log --relations walk.relations --seeds 2 --odometry-noise 1");
+    assert!(said.done().out.contains("walk.log, odometry noise 1, a view each 0.85 m or rad"));
+}
+
+#[test]
+fn files_of_another_run_are_not_overwritten() {
+    let bench = Workbench::new();
+    bench.cogmap("study small --worlds room.world.json --seeds 1 --out first").done();
+    let refused = bench.cogmap("study small --worlds room.world.json --seeds 1 --out first");
+    assert!(refused.code == Some(2) && refused.err.contains("--force"), "{}", refused.err);
+    bench.cogmap("study small --worlds room.world.json --seeds 1 --out first --force").done();
+}
