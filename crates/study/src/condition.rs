@@ -70,6 +70,8 @@ pub struct Course {
     pub route_name: String,
     /// Its points after the start, metres.
     pub route: Vec<DVec2>,
+    /// Whether the robot is moved unseen to another room on the way, and goes on from there.
+    pub kidnap: bool,
 }
 
 /// A mapper under the name that the study reports it by.
@@ -89,6 +91,7 @@ impl Condition {
             (Ground::Drive { course, robot }, Ground::Drive { course: other, robot: others }) => {
                 Arc::ptr_eq(&course.world, &other.world)
                     && course.route_name == other.route_name
+                    && course.kidnap == other.kidnap
                     && robot == others
             }
             (Ground::Log(log), Ground::Log(other)) => Arc::ptr_eq(log, other),
@@ -156,7 +159,7 @@ impl Course {
         let named = world.routes.get_key_value(route).or_else(|| world.routes.first_key_value());
         let (name, points) = named.ok_or_else(|| format!("\"{}\" has no route", world.name))?;
         let route = points.iter().copied().map(DVec2::from).collect();
-        Ok(Self { world: Arc::clone(world), route_name: name.clone(), route })
+        Ok(Self { world: Arc::clone(world), route_name: name.clone(), route, kidnap: false })
     }
 }
 

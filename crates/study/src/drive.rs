@@ -2,7 +2,7 @@ use cogmap_geometry::Pose;
 use cogmap_mapping::perception::{Moment, Reading};
 use cogmap_simulation::{Driver, Robot, Session, SessionRecord, Source};
 
-use crate::{Course, condition::Treatment};
+use crate::{Course, condition::Treatment, kidnap::Kidnap};
 
 /// Whoever drives has arrived so near to the end of the route, metres.
 const ARRIVED: f64 = 0.5;
@@ -15,6 +15,8 @@ pub struct Drive {
     pub looks: Vec<Look>,
     /// Whether the person at the controls came to the end of the route.
     pub arrived: bool,
+    /// The first look after the robot was moved unseen.
+    pub kidnapped: Option<usize>,
 }
 
 /// What the robot saw, and what only the simulation knows of it.
@@ -39,23 +41,34 @@ pub fn drive(course: &Course, robot: &Robot, seed: u64) -> Result<Drive, String>
         let first = problems.first();
         first.map_or_else(String::new, |problem| format!("{}: {}", problem.place, problem.message))
     })?;
-    let mut looks: Vec<Look> = look(&session).into_iter().collect();
-    while let Some(command) = session.world_from_robot().and_then(|pose| driver.next_command(pose)) {
+    let mut drive = Drive { looks: look(&session).into_iter().collect(), ..Drive::default() };
+    if let Some(kidnap) = Kidnap::drawn(course, seed) {
+        step(&mut session, &mut driver, (&mut drive.looks, kidnap.steps));
+        drive.kidnapped = Some(drive.looks.len());
+        driver = kidnap.perform(&mut session, course, robot)?;
+    }
+    step(&mut session, &mut driver, (&mut drive.looks, usize::MAX));
+    let end = course.route.last().copied();
+    let here = session.world_from_robot().map(|pose| pose.position);
+    drive.arrived = here.zip(end).is_some_and(|(here, end)| here.distance(end) <= ARRIVED);
+    Ok(drive)
+}
+
+/// Follows the person at the controls for so many steps, or to the end of the route.
+fn step(session: &mut Session, driver: &mut Driver, (looks, steps): (&mut Vec<Look>, usize)) {
+    for _ in 0..steps {
+        let Some(command) = session.world_from_robot().and_then(|pose| driver.next_command(pose)) else { return };
         session.command(command);
         loop {
             session.advance();
             if session.journal().odometry.len() > looks.len() {
-                looks.extend(look(&session));
+                looks.extend(look(session));
             }
             if session.at_rest() {
                 break;
             }
         }
     }
-    let end = course.route.last().copied();
-    let here = session.world_from_robot().map(|pose| pose.position);
-    let arrived = here.zip(end).is_some_and(|(here, end)| here.distance(end) <= ARRIVED);
-    Ok(Drive { looks, arrived })
 }
 
 /// What the robot saw last.
@@ -105,6 +118,7 @@ impl Drive {
 
     /// Keeps a scan each so many metres or radians, and lets each of them be the end of a step.
     fn thin(&mut self, every: f64) {
+        let kidnapped = self.kidnapped.and_then(|first| Some(self.looks.get(first)?.reading.t));
         let mut last: Option<Pose> = None;
         self.looks.retain(|look| {
             let far = last.is_none_or(|last| {
@@ -117,6 +131,7 @@ impl Drive {
             far
         });
         self.looks.iter_mut().for_each(|look| look.reading.moment = Moment::StepEnd);
+        self.kidnapped = kidnapped.map(|t| self.looks.partition_point(|look| look.reading.t < t));
     }
 }
 

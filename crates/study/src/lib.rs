@@ -18,6 +18,7 @@ mod check;
 mod condition;
 mod drive;
 pub mod figures;
+mod kidnap;
 mod mapping;
 mod measure;
 pub mod metrics;

@@ -54,7 +54,7 @@ const fn part(name: &'static str, head: &'static str, of: &'static str, meaning:
 
 /// Every measure, in the order of the columns.
 #[rustfmt::skip]
-pub const MEASURES: [Measure; 66] = [
+pub const MEASURES: [Measure; 70] = [
     rate("arrived", "arrived", "the person at the controls came to the end of the route"),
     median("way", "way", "m", "length of the true way"),
     median("steps", "steps", "", "movement steps"),
@@ -119,6 +119,10 @@ pub const MEASURES: [Measure; 66] = [
     median("room_precision", "room prec.", "%", "mean over spaces of the largest share of its surfaces that bound one room"),
     median("room_f1", "room F1", "", "rooms and spaces paired where intersection over union is at least a half"),
     median("rand", "Rand", "", "adjusted Rand index of surfaces shared out among spaces and rooms"),
+    rate("noticed", "noticed", "the robot noticed within 3 scans that it had been moved unseen"),
+    median("noticed_after", "scans", "", "scans after which the robot noticed, where it did"),
+    rate("mapped_silently", "silently", "the robot mapped something into the old place before it noticed"),
+    rate("found_again", "found", "the robot found a place again that it knew from before"),
     median("relations", "relations", "m", "mean error against relations matched by hand, of the trajectory as it was believed online"),
     median("relations_network", "network", "m", "the same of relations read from the network of frames"),
 ];

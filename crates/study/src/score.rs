@@ -1,5 +1,6 @@
 //! What a run was worth: every measure of one mapper.
 
+mod kidnap;
 mod log;
 mod odometry;
 mod places;
@@ -75,6 +76,7 @@ pub fn score(drive: &Drive, mapping: &Mapping, truth: &Truth) -> Values {
     surfaces::score_way(drive, mapping, truth, &mut values);
     odometry::score(mapping, &mut values);
     odometry::score_way(drive, mapping, &mut values);
+    kidnap::score(drive, mapping, &mut values);
     places::score((drive, mapping), truth, &mut values);
     values
 }

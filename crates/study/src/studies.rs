@@ -1,10 +1,12 @@
 //! The thesis's experiments, and those that its claims ask for: a file each.
 
+pub(crate) mod ablation;
 pub(crate) mod cadence;
 pub(crate) mod calibration;
 pub(crate) mod claims;
 pub(crate) mod identity;
 pub(crate) mod independence;
+pub(crate) mod kidnap;
 pub(crate) mod loop_a;
 pub(crate) mod loop_b;
 pub(crate) mod placement;

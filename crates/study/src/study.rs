@@ -35,7 +35,7 @@ pub struct Request {
 
 impl Study {
     /// All studies, in the order of the thesis.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 15] = [
         studies::calibration::STUDY,
         studies::small::STUDY,
         studies::loop_b::STUDY,
@@ -46,6 +46,8 @@ impl Study {
         studies::independence::STUDY,
         studies::cadence::STUDY,
         studies::identity::STUDY,
+        studies::kidnap::STUDY,
+        studies::ablation::STUDY,
         studies::relations::STUDY,
         studies::claims::STUDY,
         studies::results::STUDY,
