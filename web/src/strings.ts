@@ -110,8 +110,10 @@ export const strings = {
         return `Local space ${what.asr} opened behind exit ${what.exit}`;
       case 'loop_closed':
         return `Back in local space ${what.asr}: a loop is closed`;
+      case 'unseen':
+        return 'Nothing in view was known: only odometry said where the robot was';
       case 'lost':
-        return 'Lost: nothing in view was known, only odometry said where it was';
+        return 'Lost: the robot is not where it believed to be, and begins a map of its own';
       case 'recognised':
         return 'Found: the robot recognised a place that it knew';
     }

@@ -66,7 +66,9 @@ impl Footer {
 fn swatch(sample: Sample) -> f64 {
     match sample {
         Sample::Run | Sample::Age => RUN_SWATCH,
-        Sample::Line(_) | Sample::Area(_) | Sample::Exit | Sample::ClosedLoop => SWATCH,
+        Sample::Line(_) | Sample::Area(_) | Sample::Exit | Sample::SupposedExit | Sample::ClosedLoop => {
+            SWATCH
+        }
         Sample::Asrs => ASRS_SWATCH,
         Sample::Sign(Role::Place(PlaceMark::Node(_))) => 18.0,
         Sample::Sign(_) => 8.0,
@@ -103,13 +105,8 @@ fn draw_sample(brush: &mut Brush, sample: Sample, at: DVec2) {
         Sample::Run => draw_pieces(brush, at, &|brush, share| brush.theme().of_run(share)),
         Sample::Age => draw_pieces(brush, at, &|brush, share| brush.theme().of_age(share)),
         Sample::Asrs => draw_asrs(brush, at),
-        Sample::Exit => {
-            let style = brush.style(Role::Place(PlaceMark::Exit));
-            draw_line(brush, at, Role::Place(PlaceMark::Exit));
-            for end in [4.0, width - 4.0] {
-                brush.sign(at + DVec2::new(end, 0.0), style);
-            }
-        }
+        Sample::Exit => draw_exit(brush, at, Role::Place(PlaceMark::Exit)),
+        Sample::SupposedExit => draw_exit(brush, at, Role::Place(PlaceMark::SupposedExit)),
         Sample::ClosedLoop => {
             draw_line(brush, at, Role::Place(PlaceMark::ClosedLoop));
             draw_line(brush, at, Role::Place(PlaceMark::ClosedLoopGap));
@@ -121,6 +118,13 @@ fn draw_line(brush: &mut Brush, at: DVec2, role: Role) {
     if let Some(stroke) = brush.style(role).stroke {
         let cap = DVec2::new(stroke.width * 0.5, 0.0);
         brush.line([at + cap, at + DVec2::new(SWATCH, 0.0) - cap], stroke);
+    }
+}
+
+fn draw_exit(brush: &mut Brush, at: DVec2, role: Role) {
+    draw_line(brush, at, role);
+    for end in [4.0, SWATCH - 4.0] {
+        brush.sign(at + DVec2::new(end, 0.0), brush.style(role));
     }
 }
 

@@ -10,6 +10,9 @@ use cogmap_simulation::MapperJournal;
 
 use crate::{Colouring, Item, MemoryOptions, PlaceMark, Role, Sample, Scene, Shape};
 
+/// A gap is shown as a supposed exit once so many views have seen it.
+const SURE: u32 = 3;
+
 /// The floors of the local spaces, below everything else.
 pub(crate) fn draw_floors(scene: &mut Scene, mind: &Mapper) {
     let Some(network) = mind.network() else { return };
@@ -30,7 +33,8 @@ pub(crate) fn draw(scene: &mut Scene, mind: &Mapper, journal: &MapperJournal, op
     if options.network {
         draw_edges(scene, mind, &middles, &loops(journal, network));
     }
-    if options.exits && !network.exits().is_empty() {
+    if options.exits {
+        draw_supposed_exits(scene, mind, network);
         draw_exits(scene, mind, network.exits());
     }
     if options.network || options.colouring == Colouring::Asr {
@@ -61,7 +65,23 @@ fn placed(exit: &Exit, mind: &Mapper) -> Segment {
     mind.mfis().map_from_frame(exit.frame) * exit.segment
 }
 
+/// Exits that were seen ahead or beside the way, as far as the robot has not gone through them.
+fn draw_supposed_exits(scene: &mut Scene, mind: &Mapper, network: &Network) {
+    let supposed = network.hypotheses().iter().filter(|it| it.confirmed.is_none() && it.views >= SURE);
+    let segments: Vec<_> = supposed.map(|it| mind.mfis().map_from_frame(it.frame) * it.segment).collect();
+    if segments.is_empty() {
+        return;
+    }
+    scene.still.push(item(PlaceMark::SupposedExit, Shape::Segments(segments.clone())));
+    let jambs = segments.iter().flat_map(|segment| [segment.a, segment.b]);
+    scene.still.extend(jambs.map(|jamb| item(PlaceMark::SupposedExit, Shape::Signs(vec![jamb]))));
+    scene.explain(Sample::SupposedExit, "seen, not gone through");
+}
+
 fn draw_exits(scene: &mut Scene, mind: &Mapper, exits: &[Exit]) {
+    if exits.is_empty() {
+        return;
+    }
     let segments: Vec<_> = exits.iter().map(|exit| placed(exit, mind)).collect();
     scene.still.push(item(PlaceMark::ExitRim, Shape::Segments(segments.clone())));
     scene.still.push(item(PlaceMark::Exit, Shape::Segments(segments.clone())));

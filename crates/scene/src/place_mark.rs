@@ -18,6 +18,8 @@ pub enum PlaceMark {
     Number,
     /// An exit, from jamb to jamb.
     Exit,
+    /// An exit that was seen, but not gone through yet.
+    SupposedExit,
     /// What sets an exit off from the walls beside it.
     ExitRim,
     /// An edge of the network: from a local space through an exit to the next.
@@ -46,7 +48,7 @@ impl PlaceMark {
                 Style::area(colour.with_alpha(30), Some((colour.with_alpha(90), 1.0)))
             }
             Self::Node(asr) => Style {
-                sign: Sign::Dot(9.0),
+                sign: Sign::Dot((pixels_per_metre * 0.3).clamp(7.5, 9.0)),
                 ..Style::area(solid(palette.room), Some((theme.of_asr(asr), 2.0)))
             },
             Self::Number => Style::area(solid(palette.ink), None),
@@ -54,6 +56,11 @@ impl PlaceMark {
                 fill: Some(solid(palette.ink)),
                 sign: Sign::Square(2.75),
                 ..Style::line(solid(palette.ink), 2.0)
+            },
+            Self::SupposedExit => Style {
+                fill: Some(solid(palette.paper)),
+                sign: Sign::Square(2.25),
+                ..Style::line(solid(palette.muted), 1.0)
             },
             Self::ExitRim => Style::line(solid(palette.paper), 6.0),
             Self::Passage => Style::line(solid(palette.ink).with_alpha(150), 1.5),

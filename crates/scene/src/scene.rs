@@ -68,6 +68,8 @@ pub enum Sample {
     Node,
     /// An exit between its jambs.
     Exit,
+    /// An exit that was only seen.
+    SupposedExit,
     /// An edge of the network that closed a loop.
     ClosedLoop,
 }

@@ -70,7 +70,8 @@ fn happening(event: &Event, report: &StepReport) -> Option<Happening> {
         Event::NewAsr { asr, exit, .. } => Happening::NewAsr { asr: asr.0, exit: exit.0 },
         Event::LoopClosed { asr, exit, .. } => Happening::LoopClosed { asr: asr.0, exit: exit.0 },
         Event::Recognised(_) => Happening::Recognised,
-        Event::Fallback { matches: 0, .. } => Happening::Lost,
+        Event::Lost { .. } => Happening::Lost,
+        Event::Fallback { matches: 0, .. } => Happening::Unseen,
         _ => return None,
     })
 }

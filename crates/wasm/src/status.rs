@@ -98,6 +98,8 @@ pub enum Happening {
         exit: u32,
     },
     /// Nothing in view was known; only odometry said where the robot was.
+    Unseen,
+    /// The robot is not where it believed to be, and begins a map of its own.
     Lost,
     /// The robot found itself in a place that it knew, and goes on in its coordinates.
     Recognised,

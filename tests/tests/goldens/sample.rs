@@ -202,6 +202,11 @@ pub(crate) fn network() -> Scene {
     for Segment { a, b } in exits {
         still.extend([a, b].map(|jamb| place(PlaceMark::Exit, Shape::Signs(vec![jamb]))));
     }
+    let supposed = segment([1.6, 4.6], [2.5, 4.6]);
+    still.push(place(PlaceMark::SupposedExit, Shape::Segments(vec![supposed])));
+    still.extend(
+        [supposed.a, supposed.b].map(|jamb| place(PlaceMark::SupposedExit, Shape::Signs(vec![jamb]))),
+    );
     for (asr, at) in (0..).zip(nodes) {
         still.push(place(PlaceMark::Node(asr), Shape::Signs(vec![at])));
         let text = asr.to_string();
@@ -221,6 +226,7 @@ fn network_legend() -> Vec<LegendEntry> {
         LegendEntry::new(Sample::Asrs, "a colour for each local space"),
         LegendEntry::new(Sample::Age, "first seen just now … long ago"),
         LegendEntry::new(Sample::Exit, "exit"),
+        LegendEntry::new(Sample::SupposedExit, "seen, not gone through"),
         LegendEntry::new(Sample::Node, "local space"),
         LegendEntry::new(Sample::Line(place(PlaceMark::Passage)), "way through an exit"),
         LegendEntry::new(Sample::ClosedLoop, "closed a loop"),
