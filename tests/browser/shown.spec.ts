@@ -5,7 +5,7 @@ import { BenchPage, roomLog } from './bench';
 test('the page opens on the bad robot, mapped by consensus, and perceptual is a click away', async ({ page }) => {
   const bench = new BenchPage(page);
   await bench.open();
-  await expect(page.getByLabel('Robot')).toHaveValue('bad');
+  await expect(page.getByRole('combobox', { name: 'Robot' })).toHaveValue('bad');
   await expect(bench.memory).toHaveCount(1);
   await expect(bench.chip('consensus')).toHaveAttribute('aria-pressed', 'true');
   await page.keyboard.press('Space');
