@@ -267,7 +267,14 @@ mod tests {
                 for text in [palette.ink, palette.muted] {
                     assert!(contrast(Colour::solid(text), ground) >= 4.5, "{theme:?} {text:06x}");
                 }
-                for mark in [palette.door, palette.laser, palette.robot, palette.reference, palette.warning, palette.added] {
+                for mark in [
+                    palette.door,
+                    palette.laser,
+                    palette.robot,
+                    palette.reference,
+                    palette.warning,
+                    palette.added,
+                ] {
                     assert!(contrast(Colour::solid(mark), ground) >= 3.0, "{theme:?} {mark:06x}");
                 }
             }

@@ -57,7 +57,9 @@ pub fn drive(course: &Course, robot: &Robot, seed: u64) -> Result<Drive, String>
 /// Follows the person at the controls for so many steps, or to the end of the route.
 fn step(session: &mut Session, driver: &mut Driver, (looks, steps): (&mut Vec<Look>, usize)) {
     for _ in 0..steps {
-        let Some(command) = session.world_from_robot().and_then(|pose| driver.next_command(pose)) else { return };
+        let Some(command) = session.world_from_robot().and_then(|pose| driver.next_command(pose)) else {
+            return;
+        };
         session.command(command);
         loop {
             session.advance();

@@ -13,10 +13,10 @@ mod studies;
 /// Arguments and files that cannot be used: each ends with exit code 2, the place and the way out.
 mod bad_arguments;
 
-/// Pictures of floors that become worlds.
-mod floor_plans;
 /// What `figures` draws, and how it ends.
 mod figures;
+/// Pictures of floors that become worlds.
+mod floor_plans;
 
 /// The logs of real robots, where they are at hand.
 mod real_logs;

@@ -11,7 +11,17 @@ pub(crate) const STUDY: Study = Study {
             switched off at a time. What gets worse without it is what the extension is for. With --log and \
             --relations the same is done to a real log.",
     seeds: 100,
-    shown: &["shape", "gap", "heading_gap", "pieces", "displaced", "fallbacks", "partly", "recognised", "relations"],
+    shown: &[
+        "shape",
+        "gap",
+        "heading_gap",
+        "pieces",
+        "displaced",
+        "fallbacks",
+        "partly",
+        "recognised",
+        "relations",
+    ],
     plan: |request| {
         let params = ConsensusParams::default();
         let without = params.ablations().into_iter().map(|(name, params)| {

@@ -15,7 +15,8 @@ pub(crate) const STUDY: Study = Study {
     shown: &["noticed", "noticed_after", "mapped_silently", "found_again", "fallbacks"],
     plan: |request| {
         let kidnapped = |course: Course| Course { kidnap: true, ..course };
-        let courses: Vec<Course> = courses(request, "environment-b", "loop")?.into_iter().map(kidnapped).collect();
+        let courses: Vec<Course> =
+            courses(request, "environment-b", "loop")?.into_iter().map(kidnapped).collect();
         Ok(grid(&courses, &robots(&["bad"]), &[transform(), perceptual(), consensus()]))
     },
     judge,
