@@ -155,69 +155,76 @@ pub(crate) fn memory() -> Scene {
 
 /// The local spaces of the same building: a colour for each, exits, and the network with a closed loop.
 pub(crate) fn network() -> Scene {
-    let place = |mark, shape| Item::new(Role::Place(mark), shape);
+    let nodes = [[3.6, 1.5], [7.2, 3.7], [10.0, 5.5], [6.4, 5.8]].map(DVec2::from);
+    let exits = [([5.9, 2.8], [5.0, 2.8]), ([9.4, 4.6], [10.3, 4.6]), ([7.5, 4.6], [6.6, 4.6])]
+        .map(|(a, b)| segment(a, b));
+    let mut still = local_spaces();
+    still.extend(ways(&nodes, &exits));
+    still.push(place(PlaceMark::ExitRim, Shape::Segments(exits.to_vec())));
+    still.extend(gates(PlaceMark::Exit, &exits));
+    still.extend(gates(PlaceMark::SupposedExit, &[segment([1.6, 4.6], [2.5, 4.6])]));
+    for (asr, at) in (0..).zip(nodes) {
+        still.push(place(PlaceMark::Node(asr), Shape::Signs(vec![at])));
+        let text = asr.to_string();
+        still.push(place(PlaceMark::Number, Shape::Label { at, text, room: 1.0 }));
+    }
+    still.push(place(PlaceMark::Link, line([1.0, 1.2], [9.0, 3.7])));
+    still.push(place(PlaceMark::RecognisedLink, line([9.0, 3.7], [9.6, 5.0])));
+    still.push(place(PlaceMark::Frame, Shape::Signs(points(&[[1.0, 1.2], [9.0, 3.7], [9.6, 5.0]]))));
+    let (title, note) = ("The robot’s memory".to_owned(), "4 local spaces · 3 exits".to_owned());
+    Scene { title, note, still, views: 15, legend: network_legend(), ..Scene::default() }
+}
+
+fn place(mark: PlaceMark, shape: Shape) -> Item {
+    Item::new(Role::Place(mark), shape)
+}
+
+fn line(a: [f64; 2], b: [f64; 2]) -> Shape {
+    Shape::Segments(vec![segment(a, b)])
+}
+
+/// Floors, and surfaces in every colour of a space and of an age.
+fn local_spaces() -> Vec<Item> {
     let floors = [
         [[0.1, 0.1], [7.1, 2.7]],
         [[0.1, 2.9], [11.9, 4.5]],
         [[8.5, 4.7], [11.9, 6.9]],
         [[4.5, 4.7], [8.3, 6.9]],
     ];
-    let nodes = [[3.6, 1.5], [7.2, 3.7], [10.0, 5.5], [6.4, 5.8]].map(DVec2::from);
-    let exits = [([5.9, 2.8], [5.0, 2.8]), ([9.4, 4.6], [10.3, 4.6]), ([7.5, 4.6], [6.6, 4.6])];
-    let exits = exits.map(|(a, b)| segment(a, b)).to_vec();
-    let mut still: Vec<Item> = (0..)
-        .zip(floors)
-        .map(|(asr, [low, high])| place(PlaceMark::Floor(asr), rectangle(low, high)))
-        .collect();
+    let floor = |(asr, [low, high])| place(PlaceMark::Floor(asr), rectangle(low, high));
+    let mut items: Vec<Item> = (0..).zip(floors).map(floor).collect();
     for (asr, wall) in (0..4).cycle().zip(walls()) {
-        still.push(place(PlaceMark::Surface(asr), Shape::Segments(vec![wall])));
+        items.push(place(PlaceMark::Surface(asr), Shape::Segments(vec![wall])));
     }
     for number in 4..8 {
         let x = 1.0 + 0.5 * f64::from(number);
-        still.push(place(PlaceMark::Surface(number), Shape::Segments(vec![segment([x, 1.9], [x, 2.4])])));
-        still.push(place(
-            PlaceMark::Debris(number),
-            Shape::Segments(vec![segment([x + 0.2, 1.9], [x + 0.2, 2.2])]),
-        ));
+        items.push(place(PlaceMark::Surface(number), line([x, 1.9], [x, 2.4])));
+        items.push(place(PlaceMark::Debris(number), line([x + 0.2, 1.9], [x + 0.2, 2.2])));
     }
     for age in 0..4 {
         let x = 0.4 + 0.4 * f64::from(age);
-        still.push(Item::new(Role::SurfaceOfAge(age), Shape::Segments(vec![segment([x, 5.0], [x, 6.0])])));
-        still.push(Item::new(
-            Role::DebrisOfAge(age),
-            Shape::Segments(vec![segment([x + 0.2, 5.0], [x + 0.2, 6.0])]),
-        ));
+        items.push(Item::new(Role::SurfaceOfAge(age), line([x, 5.0], [x, 6.0])));
+        items.push(Item::new(Role::DebrisOfAge(age), line([x + 0.2, 5.0], [x + 0.2, 6.0])));
     }
-    for (exit, [from, to]) in exits.iter().zip([[0, 1], [1, 2], [3, 1]]) {
+    items
+}
+
+fn ways(nodes: &[DVec2; 4], exits: &[Segment; 3]) -> Vec<Item> {
+    let ends = [[0, 1], [1, 2], [3, 1]];
+    let way = |(exit, [from, to]): (&Segment, [usize; 2])| {
         let way = Shape::Polyline(vec![nodes[from], exit.midpoint(), nodes[to]]);
-        if from == 3 {
-            still.push(place(PlaceMark::ClosedLoop, way.clone()));
-            still.push(place(PlaceMark::ClosedLoopGap, way));
-        } else {
-            still.push(place(PlaceMark::Passage, way));
+        match from {
+            3 => vec![place(PlaceMark::ClosedLoop, way.clone()), place(PlaceMark::ClosedLoopGap, way)],
+            _ => vec![place(PlaceMark::Passage, way)],
         }
-    }
-    still.push(place(PlaceMark::ExitRim, Shape::Segments(exits.clone())));
-    still.push(place(PlaceMark::Exit, Shape::Segments(exits.clone())));
-    for Segment { a, b } in exits {
-        still.extend([a, b].map(|jamb| place(PlaceMark::Exit, Shape::Signs(vec![jamb]))));
-    }
-    let supposed = segment([1.6, 4.6], [2.5, 4.6]);
-    still.push(place(PlaceMark::SupposedExit, Shape::Segments(vec![supposed])));
-    still.extend(
-        [supposed.a, supposed.b].map(|jamb| place(PlaceMark::SupposedExit, Shape::Signs(vec![jamb]))),
-    );
-    for (asr, at) in (0..).zip(nodes) {
-        still.push(place(PlaceMark::Node(asr), Shape::Signs(vec![at])));
-        let text = asr.to_string();
-        still.push(place(PlaceMark::Number, Shape::Label { at, text, room: 1.0 }));
-    }
-    let link = |a, b| Shape::Segments(vec![segment(a, b)]);
-    still.push(place(PlaceMark::Link, link([1.0, 1.2], [9.0, 3.7])));
-    still.push(place(PlaceMark::RecognisedLink, link([9.0, 3.7], [9.6, 5.0])));
-    still.push(place(PlaceMark::Frame, Shape::Signs(points(&[[1.0, 1.2], [9.0, 3.7], [9.6, 5.0]]))));
-    let (title, note) = ("The robot’s memory".to_owned(), "4 local spaces · 3 exits".to_owned());
-    Scene { title, note, still, views: 15, legend: network_legend(), ..Scene::default() }
+    };
+    exits.iter().zip(ends).flat_map(way).collect()
+}
+
+fn gates(mark: PlaceMark, exits: &[Segment]) -> Vec<Item> {
+    let jambs = exits.iter().flat_map(|exit| [exit.a, exit.b]);
+    let signs = jambs.map(|jamb| place(mark, Shape::Signs(vec![jamb])));
+    std::iter::once(place(mark, Shape::Segments(exits.to_vec()))).chain(signs).collect()
 }
 
 fn network_legend() -> Vec<LegendEntry> {
