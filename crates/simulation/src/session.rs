@@ -76,7 +76,7 @@ impl Session {
     /// None for a session that runs: its world has been judged already.
     pub fn remapped(&self, mappers: Vec<MapperSetup>) -> Result<Self, Vec<Problem>> {
         let record = SessionRecord { mappers, ..self.record.clone() };
-        let feed = self.feed.from_the_beginning(&record)?;
+        let feed = self.feed.rewound(&record)?;
         Ok(Self::begin(record, feed))
     }
 

@@ -46,7 +46,7 @@ impl Feed {
     }
 
     /// The same readings before the first.
-    pub(super) fn from_the_beginning(&self, record: &SessionRecord) -> Result<Self, Vec<Problem>> {
+    pub(super) fn rewound(&self, record: &SessionRecord) -> Result<Self, Vec<Problem>> {
         match self {
             Self::Drive(_) => Self::drive(record),
             Self::Log { recording, .. } => Ok(Self::Log { recording: Arc::clone(recording), next: 0 }),
