@@ -78,7 +78,7 @@ pub struct Mapper {
 #[derive(Clone, Debug)]
 enum Mind {
     /// §3.2.1.
-    Perceptual(Perceptual),
+    Perceptual(Box<Perceptual>),
     /// Ours.
     Consensus(Box<Consensus>),
     /// §3.1.3.
@@ -93,7 +93,7 @@ impl Mapper {
     pub fn new(setup: &MapperSetup, seed: u64) -> Self {
         let (mind, places) = match setup {
             MapperSetup::Perceptual(params) => {
-                (Mind::Perceptual(Perceptual::new(params)), Some(Places::new(&params.places)))
+                (Mind::Perceptual(Box::new(Perceptual::new(params))), Some(Places::new(&params.places)))
             }
             MapperSetup::Consensus(params) => {
                 (Mind::Consensus(Box::new(Consensus::new(params))), Some(Places::new(&params.places)))

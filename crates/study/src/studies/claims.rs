@@ -138,7 +138,7 @@ impl<'a> Asked<'a> {
     }
 
     fn local_errors(&self) -> Vec<Check> {
-        let useless = self.groups(self.shape, |c| c.treatment.odometry == USELESS);
+        let useless = self.groups(self.shape, |c| c.treatment.odometry >= USELESS);
         let pairs = self.on_loop(self.shape, 1).into_iter().zip(useless);
         let check = |(mild, hard): (Group<'_>, Group<'_>)| {
             [independence::steady(&mild, &hard), propagation::local(&mild)]
