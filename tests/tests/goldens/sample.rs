@@ -191,7 +191,7 @@ fn local_spaces() -> Vec<Item> {
         [[8.5, 4.7], [11.9, 6.9]],
         [[4.5, 4.7], [8.3, 6.9]],
     ];
-    let floor = |(asr, [low, high])| place(PlaceMark::Floor(asr), rectangle(low, high));
+    let floor = |(asr, [low, high]): (u32, [[f64; 2]; 2])| place(PlaceMark::Floor(asr), rectangle(low, high));
     let mut items: Vec<Item> = (0..).zip(floors).map(floor).collect();
     for (asr, wall) in (0..4).cycle().zip(walls()) {
         items.push(place(PlaceMark::Surface(asr), Shape::Segments(vec![wall])));
