@@ -114,7 +114,7 @@ mod tests {
     fn pieces_join_across_a_gap_of_half_a_metre_and_no_more() {
         assert_eq!(pieces(&[line(0.0, 0.0, 2.0, 0.0), line(2.5, 0.0, 4.0, 0.0)]), 1);
         assert_eq!(pieces(&[line(0.0, 0.0, 2.0, 0.0), line(4.0, 0.0, 2.51, 0.0)]), 2);
-        assert_eq!(pieces(&[line(0.0, 0.0, 2.0, 0.0), line(0.0, 0.0, 2.0, 0.2)]), 1);
+        assert_eq!(pieces(&[line(0.0, 0.0, 2.0, 0.0), line(0.0, 0.0, 2.0, 0.15)]), 1);
         assert_eq!(pieces(&[line(0.0, 0.0, 2.0, 0.0), line(0.0, 0.0, 2.0, 0.4)]), 2);
         assert_eq!(pieces(&[]), 0);
     }
