@@ -5,6 +5,9 @@ use crate::{
     outcome::share_of,
 };
 
+/// Fewer runs have no 95 % interval: the median lies outside all of five values once in 16 times.
+const LEAST_RUNS: usize = 6;
+
 /// What the runs say of a criterion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -86,6 +89,7 @@ impl Check {
             let [value, low, high] =
                 [figure.value, figure.interval.low, figure.interval.high].map(|value| bound.holds(value));
             let verdict = match (low, high) {
+                _ if figure.runs < LEAST_RUNS => Verdict::Undecided,
                 (true, true) => Verdict::Supported,
                 (false, false) => Verdict::Refuted,
                 _ => Verdict::Undecided,
@@ -147,6 +151,7 @@ mod tests {
         assert_eq!((rate(192, 200).met, rate(192, 200).verdict), (true, Verdict::Undecided));
         assert_eq!((rate(188, 200).met, rate(188, 200).verdict), (false, Verdict::Undecided));
         assert_eq!((rate(150, 200).met, rate(150, 200).verdict), (false, Verdict::Refuted));
+        assert_eq!((rate(0, 5).met, rate(0, 5).verdict), (false, Verdict::Undecided), "too few runs");
         assert_eq!((rate(0, 0).met, rate(0, 0).verdict), (false, Verdict::Undecided));
     }
 

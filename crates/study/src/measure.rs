@@ -25,6 +25,8 @@ pub enum Kind {
     Rate,
     /// Part of another column: the sum over the sum, with its bootstrap interval over runs.
     Part(&'static str),
+    /// Over another column, and no part of it: the same.
+    Ratio(&'static str),
 }
 
 impl Measure {
@@ -52,6 +54,10 @@ const fn part(name: &'static str, head: &'static str, of: &'static str, meaning:
     Measure { name, head, unit: "", meaning, kind: Kind::Part(of) }
 }
 
+const fn ratio(name: &'static str, head: &'static str, of: &'static str, meaning: &'static str) -> Measure {
+    Measure { name, head, unit: "", meaning, kind: Kind::Ratio(of) }
+}
+
 /// Every measure, in the order of the columns.
 #[rustfmt::skip]
 pub const MEASURES: [Measure; 70] = [
@@ -75,9 +81,9 @@ pub const MEASURES: [Measure; 70] = [
     part("displaced_any_first", ">0.5 any, first", "any_named", "surfaces of any length displaced by more than 0.5 m, the map laid by its first view"),
     part("displaced_any", ">0.5 any", "any_named", "surfaces of any length displaced by more than 0.5 m, the map laid by its whole way"),
     median("any_named", "any named", "", "surfaces of any length whose true wall is known"),
-    part("pieces", "per wall", "walls", "pieces per true long wall, once those are joined that go on from each other; 1 is ideal"),
+    ratio("pieces", "per wall", "walls", "pieces per true long wall, once those are joined that go on from each other; 1 is ideal"),
     median("walls", "walls", "", "true long walls that stand in the map"),
-    part("length_mapped", "length ×", "length_shown", "metres of long surfaces over metres of true wall that they show; 1 is ideal"),
+    ratio("length_mapped", "length ×", "length_shown", "metres of long surfaces over metres of true wall that they show; 1 is ideal"),
     median("length_shown", "shown", "m", "metres of true wall that the long surfaces show"),
     rate("blocked", "blocked", "a surface of the map stands in the way that the robot drove"),
     median("blocked_steps", "bl. steps", "", "steps of the driven way that would run into a surface of the map"),
@@ -135,7 +141,7 @@ mod tests {
     fn every_name_stands_once_and_every_part_is_of_another_column() {
         for (index, measure) in MEASURES.iter().enumerate() {
             assert!(MEASURES[..index].iter().all(|other| other.name != measure.name), "{}", measure.name);
-            if let Kind::Part(of) = measure.kind {
+            if let Kind::Part(of) | Kind::Ratio(of) = measure.kind {
                 assert!(Measure::named(of).is_some(), "{of}");
             }
         }

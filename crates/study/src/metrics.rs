@@ -23,7 +23,7 @@ mod walls;
 pub use alignment::{Sample, by_first_view, by_whole_way};
 pub use asrs::{Division, Labelled, score_division};
 pub use blocked::blocked_steps;
-pub use bootstrap::{Estimate, estimate, median, median_estimate, share_estimate};
+pub use bootstrap::{Estimate, estimate, median, median_estimate, ratio_estimate, share_estimate};
 pub use closing::{Closing, closing};
 pub use displacement::{Displacement, displacement};
 pub use duplicates::{Duplicates, duplicates};

@@ -1,7 +1,7 @@
 use crate::{
     Condition,
     measure::{Kind, MEASURES, Measure},
-    metrics::{Estimate, Rate, estimate, growth_exponent, median_estimate, share_estimate},
+    metrics::{Estimate, Rate, estimate, growth_exponent, median_estimate, ratio_estimate, share_estimate},
     score::{STRETCHES, Values},
 };
 
@@ -125,6 +125,12 @@ impl<'a> Group<'a> {
         pairs.filter_map(|(row, other)| row.values.get(measure).zip(other.values.get(measure))).collect()
     }
 
+    /// Of each run the value of a measure and of the one that it is a part of.
+    #[must_use]
+    pub fn parts(&self, measure: &str, of: &str) -> Vec<(f64, f64)> {
+        self.rows().filter_map(|row| row.values.get(measure).zip(row.values.get(of))).collect()
+    }
+
     /// How often something is true of a run.
     #[must_use]
     pub fn rate(&self, is_so: impl Fn(&Values) -> Option<bool>) -> Rate {
@@ -160,10 +166,8 @@ impl<'a> Group<'a> {
         match measure.kind {
             Kind::Median => median_estimate(&self.values(measure.name)),
             Kind::Rate => share_of(self.rate(|values| values.get(measure.name).map(|value| value > 0.0))),
-            Kind::Part(of) => {
-                let part = |row: &Row| row.values.get(measure.name).zip(row.values.get(of));
-                share_estimate(&self.rows().filter_map(part).collect::<Vec<_>>())
-            }
+            Kind::Part(of) => share_estimate(&self.parts(measure.name, of)),
+            Kind::Ratio(of) => ratio_estimate(&self.parts(measure.name, of)),
         }
     }
 }

@@ -43,12 +43,11 @@ pub(super) fn cell(group: &Group<'_>, measure: &Measure) -> String {
     written(figure, is_share(measure))
 }
 
-/// Rates and parts of a count are written per cent; lengths over lengths and pieces over walls are not.
+/// Rates and parts of a count are written per cent.
 fn is_share(measure: &Measure) -> bool {
     match measure.kind {
-        Kind::Median => false,
-        Kind::Rate => true,
-        Kind::Part(_) => !matches!(measure.name, "pieces" | "length_mapped"),
+        Kind::Median | Kind::Ratio(_) => false,
+        Kind::Rate | Kind::Part(_) => true,
     }
 }
 

@@ -2,7 +2,7 @@ use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use serde::{Deserialize, Serialize};
 
-use super::Interval;
+use super::{Interval, Rate};
 
 /// How many times the runs are drawn anew.
 const RESAMPLES: usize = 1000;
@@ -58,9 +58,23 @@ pub fn median_estimate(values: &[f64]) -> Option<Estimate> {
 }
 
 /// A share of sums over runs, as of `(hits, chances)`, with its interval: the runs are drawn, not
-/// the single events, because those of one run are not independent.
+/// the single events, because those of one run are not independent. Where it never happened, or
+/// always, drawing tells nothing; then it is Wilson's interval as if each run were one event.
 #[must_use]
 pub fn share_estimate(parts: &[(f64, f64)]) -> Option<Estimate> {
+    let drawn = ratio_estimate(parts)?;
+    let all = Rate { hits: parts.len() as u64, runs: parts.len() as u64 };
+    let interval = match drawn.value {
+        value if value <= 0.0 => Rate { hits: 0, ..all }.wilson()?,
+        value if value >= 1.0 => all.wilson()?,
+        _ => drawn.interval,
+    };
+    Some(Estimate { interval, ..drawn })
+}
+
+/// A ratio of sums over runs with its interval.
+#[must_use]
+pub fn ratio_estimate(parts: &[(f64, f64)]) -> Option<Estimate> {
     estimate(parts.len(), |drawn| {
         let sum = drawn.iter().fold((0.0, 0.0), |sum, &k| (sum.0 + parts[k].0, sum.1 + parts[k].1));
         (sum.1 > 0.0).then(|| sum.0 / sum.1)
@@ -127,6 +141,14 @@ mod tests {
         assert!((found.value - 0.1).abs() < 1e-12);
         assert!(found.interval.low == 0.0 && found.interval.high == 1.0);
         assert_eq!(share_estimate(&[(0.0, 0.0)]), None);
+    }
+
+    #[test]
+    fn what_never_happened_in_300_runs_may_still_happen_in_one_of_a_hundred() {
+        let never = share_estimate(&[(0.0, 8.0); 300]).unwrap();
+        assert!(never.value == 0.0 && (never.interval.high - 0.0126).abs() < 1e-4);
+        let always = share_estimate(&[(8.0, 8.0); 300]).unwrap();
+        assert!(always.value == 1.0 && (always.interval.low - 0.9874).abs() < 1e-4);
     }
 
     #[test]

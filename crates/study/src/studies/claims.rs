@@ -183,8 +183,7 @@ impl<'a> Asked<'a> {
     fn rarely_lost(&self) -> Vec<Check> {
         let check = |group: Group<'_>| {
             let place = group.of().place();
-            let part = |row: &crate::Row| row.values.get("fallbacks").zip(row.values.get("views"));
-            let lost = share_estimate(&group.rows().filter_map(part).collect::<Vec<_>>());
+            let lost = share_estimate(&group.parts("fallbacks", "views"));
             let excused = group.figure_of("fallbacks_excused");
             let mut checks = vec![Check::share(
                 format!("{place}: at most 1 % of views without a reference"),

@@ -2,7 +2,7 @@ use super::{
     CLOSEST_PAIR, NO_RECOGNITION, PERCEPTUAL, closest_pair, courses, grid, no_recognition, odometry,
     perceptual, robots, transform, whole_map,
 };
-use crate::{Bound, Check, Outcome, Study, metrics::estimate};
+use crate::{Bound, Check, Outcome, Study, metrics::ratio_estimate};
 
 /// E3: surfaces placed in the MFIS (§3.2.3, Fig. 3.16–3.18).
 pub(crate) const STUDY: Study = Study {
@@ -39,10 +39,7 @@ fn judge(outcome: &Outcome) -> Vec<Check> {
     let remedy = outcome.groups_of("bad", PERCEPTUAL).zip(outcome.groups_of("bad", CLOSEST_PAIR));
     for (with, without) in remedy {
         let pairs = with.pairs(&without, "displaced_any_first");
-        let fewer = estimate(pairs.len(), |drawn| {
-            let sum = drawn.iter().fold((0.0, 0.0), |sum, &k| (sum.0 + pairs[k].0, sum.1 + pairs[k].1));
-            (sum.1 > 0.0).then(|| sum.0 / sum.1)
-        });
+        let fewer = ratio_estimate(&pairs);
         checks.push(Check::figure(
             "choosing the reference by length, distance and orientation leaves fewer displaced surfaces than \
              choosing the closest pair (their ratio is below 1)",

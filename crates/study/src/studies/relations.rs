@@ -19,7 +19,7 @@ pub(crate) const STUDY: Study = Study {
             was believed online and never rewritten; `network` reads each relation from the links between \
             local frames. The thesis has nothing like it; figures for the Intel log from the literature are \
             0.220 m (scan matching), 0.070 m (particle filter) and 0.031 m (graph mapping).",
-    seeds: 5,
+    seeds: 7,
     shown: &[
         "relations",
         "relations_network",
