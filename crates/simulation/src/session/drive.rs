@@ -9,7 +9,9 @@ use super::{
     SessionRecord, Source,
     feed::{Observation, Turn},
 };
-use crate::{Body, Command, Laser, Obstacles, Odometer, Problem, RayGrid, Solids, TICK, TimedCommand};
+use crate::{
+    Body, BoxObstacle, Command, Laser, Obstacles, Odometer, Problem, RayGrid, Solids, TICK, TimedCommand,
+};
 
 /// While a step is driven the laser records each so many metres …
 const SCAN_DISTANCE: f64 = 0.1;
@@ -46,6 +48,7 @@ struct Look {
 /// What never changes during a run.
 struct Stage {
     solids: Solids,
+    boxes: Vec<BoxObstacle>,
     obstacles: Obstacles,
     grid: RayGrid,
     laser: Laser,
@@ -87,6 +90,7 @@ impl Drive {
             last_look: None,
             stage: Arc::new(Stage {
                 grid: RayGrid::new(&solids.segments, &solids.discs),
+                boxes: world.boxes.clone(),
                 obstacles: Obstacles::new(&solids),
                 solids,
                 laser,
@@ -118,7 +122,9 @@ impl Drive {
             };
             if let Command::Kidnap { position: [x, y], heading_deg } = timed.command {
                 let set_down = Pose::new(x, y, heading_deg.to_radians());
-                self.body.kidnap(set_down, &self.stage.obstacles);
+                if !self.stage.boxes.iter().any(|carton| carton.contains(set_down.position)) {
+                    self.body.kidnap(set_down, &self.stage.obstacles);
+                }
             }
             self.next_command += 1;
         }
