@@ -5,6 +5,8 @@ use clap::{Args, Parser, Subcommand};
 use cogmap_formats::plan::MapServer;
 use cogmap_mapping::MapperSetup;
 
+mod examples;
+
 /// The mapper of a command that names none.
 pub(crate) const DEFAULT_MAPPER: &str = "consensus";
 
@@ -31,53 +33,21 @@ pub(crate) struct Arguments {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Request {
     /// Drive a virtual robot along a route and map what its laser sees
-    #[command(after_help = RUN_EXAMPLES)]
+    #[command(after_help = examples::RUN)]
     Run(RunArguments),
     /// Map a recorded log, or run a session again
-    #[command(after_help = REPLAY_EXAMPLES)]
+    #[command(after_help = examples::REPLAY)]
     Replay(ReplayArguments),
     /// Run an experiment with many seeds on all cores; without NAME, list the experiments
     #[command(after_help = crate::study::examples(), after_long_help = crate::study::explanations())]
     Study(StudyArguments),
     /// Draw the figures of the thesis anew, from real runs, as SVG and PNG
-    #[command(after_help = FIGURES_EXAMPLES)]
+    #[command(after_help = examples::FIGURES)]
     Figures(FiguresArguments),
     /// Say what files are, what is in them and what is wrong with them
-    #[command(after_help = CHECK_EXAMPLES)]
+    #[command(after_help = examples::CHECK)]
     Check(CheckArguments),
 }
-
-const RUN_EXAMPLES: &str = "\
-Example: cogmap run worlds/small-office.world.json --out first-run
-Example: cogmap run worlds/small-office.world.json --robot good --seed 7 --route random
-Example: cogmap run worlds/small-office.world.json --mapper perceptual --mapper odometry --out both
-Example: cogmap run plan.png --resolution 0.05 --route random --out plan
-
-In a floor plan everything that is not free is solid, and the robot starts where there is most room.
-The person who drives sees the true building; the mappers see only the laser and the wheels.
-A robot FILE is a JSON file; `--out` leaves one in session.json, under \"robot\".";
-
-const REPLAY_EXAMPLES: &str = "\
-Example: cogmap replay intel.log.gz --out intel
-Example: cogmap replay intel.log.gz --every 0.5 --odometry-noise 3 --seed 2 --out noisy
-Example: cogmap replay intel/session.json --out again
-
-A session gives every file but timing.json again, byte for byte. It finds its log by the path
-that it was given, or beside itself, and makes sure that it is the very same log.";
-
-const FIGURES_EXAMPLES: &str = "\
-Example: cogmap figures
-Example: cogmap figures 3.8 3.9 --seed 7 --out other-drives
-Example: cogmap figures --list
-
-None is a copy: each is a new run that shows what the figure of that number shows, and says so.";
-
-const CHECK_EXAMPLES: &str = "\
-Example: cogmap check worlds/*.world.json
-Example: cogmap check intel.log.gz first-run/session.json
-Example: cogmap check hall.yaml
-
-Exit code 2 if anything is wrong with any of the files.";
 
 /// `cogmap run`.
 #[derive(Debug, Args)]
