@@ -36,7 +36,8 @@ fn room(width: f64, depth: f64) -> Vec<Segment> {
 }
 
 /// The visible part of each wall of a convex room, in the order of the beams, and how far apart the beams
-/// hit it at its two ends; `None` where one of the walls is seen by too few beams to be a surface.
+/// hit it at its two ends; `None` where so little of one of the walls is seen that it is no surface: by
+/// too few beams, or less than twice the least length.
 fn visible_parts(walls: &[Segment], laser: Pose, scan: &Scan) -> Option<Vec<(Segment, [f64; 2])>> {
     let hits: Vec<DVec2> = (0..scan.ranges.len()).map(|beam| laser * scan.point(beam).unwrap()).collect();
     let wall_of = |hit: DVec2| {
@@ -57,7 +58,9 @@ fn visible_parts(walls: &[Segment], laser: Pose, scan: &Scan) -> Option<Vec<(Seg
         let spacing = [run[0].1.distance(run[1].1), last.1.distance(run[run.len() - 2].1)];
         (Segment::new(before, after), spacing)
     });
-    runs.iter().all(|run| run.len() > 5).then(|| parts.collect())
+    let least = 2.0 * Extraction::default().min_length;
+    let parts: Vec<(Segment, [f64; 2])> = runs.iter().all(|run| run.len() > 5).then(|| parts.collect())?;
+    parts.iter().all(|(part, _)| part.length() > least).then_some(parts)
 }
 
 proptest! {
