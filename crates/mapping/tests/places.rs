@@ -6,7 +6,7 @@ use cogmap_geometry::{DVec2, Pose, Segment, trig};
 use cogmap_mapping::{
     Event, MapperSetup, StepReport,
     memory::{Mfis, StoredSurface},
-    places::{AsrId, Network, Overlap, PlacesParams},
+    places::{AsrId, Network, Overlap, PlacesParams, outline},
 };
 use rooms::{Drive, polyline, ring, setups, two_rooms};
 
@@ -239,7 +239,7 @@ fn where_nothing_is_seen_there_is_one_space_and_no_exit() {
         let mut drive = Drive::begin(&[], Pose::IDENTITY, &setup);
         drive.go_to([6.0, 0.0], 0.5);
         assert_eq!(network(&drive).asrs().len(), 1);
-        assert!(network(&drive).outline(AsrId(0), drive.mapper.mfis()).is_empty());
+        assert!(network(&drive).surfaces_of(AsrId(0)).is_empty());
         for wideness in drive.reports.iter().flat_map(|report| &report.place.as_ref().unwrap().wideness) {
             assert!((wideness.width - 16.0).abs() < 1e-9, "as far as the laser sees");
         }
@@ -266,7 +266,7 @@ fn an_entrance_lies_in_its_exit_and_looks_into_the_space() {
         let in_world = drive.truth[0] * map_from_entrance;
         assert!(in_world.position.distance(DVec2::new(5.05, 2.0)) < 0.2);
         assert!(in_world.forward().dot(DVec2::X) > 0.98);
-        let outline = network(&drive).outline(AsrId(1), drive.mapper.mfis());
+        let outline = outline(entered, network(&drive), drive.mapper.memory());
         assert!(outline.len() >= 3);
     }
 }

@@ -13,7 +13,6 @@
 //! assert_eq!(conditions.len(), 2, "a good robot and a bad one");
 //! ```
 
-pub mod calibration;
 mod check;
 mod condition;
 mod drive;

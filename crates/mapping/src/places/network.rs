@@ -6,7 +6,6 @@ use super::{Asr, AsrId, Crossing, Exit, ExitId, Hypothesis};
 use crate::memory::{FrameId, SurfaceId};
 
 mod merge;
-mod outline;
 mod route;
 
 /// The network of local spaces (§2.2.1, Fig. 2.1): nodes are ASRs, edges are exits.
