@@ -20,6 +20,7 @@ pub use consensus::{
     Alignment, Consensus, ConsensusParams, FreeSpace, Loss, Novelty, Reach, Recognition, Relocation, Search,
 };
 pub use frames::{Frame, FrameId, Link, LinkKind, Way};
+pub(crate) use index::Index;
 pub use matching::{Match, Matching, PairError, match_views, pair_error};
 pub(crate) use mfis::Sighting;
 pub use mfis::{Mfis, StoredSurface, SurfaceId};

@@ -18,6 +18,7 @@ mod shape;
 mod sharing;
 mod sight;
 mod trail;
+mod visits;
 mod wideness;
 
 use std::collections::BTreeMap;
@@ -173,13 +174,11 @@ impl Places {
     fn look_around(&mut self, now: Now<'_>) {
         let Now { here, report, memory } = now;
         let left = self.trail.frame();
-        let radius = self.params.looking.range;
-        self.nearby.update(
-            memory.mfis(),
-            (here.frame, here.frame_from_robot.position),
-            &report.placed,
-            radius,
-        );
+        let PlacesParams { looking, narrowness, gaps, .. } = &self.params;
+        // As far as surfaces bound a space, known exits can be gone through, and gaps are looked at.
+        let radius = looking.range.max(narrowness.memory()).max(gaps.range + gaps.same);
+        let known = (memory.mfis(), &self.network);
+        self.nearby.update(known, (here.frame, here.frame_from_robot.position), &report.placed, radius);
         if left != here.frame {
             self.trail.carry(here.frame, self.nearby.here_from(left));
             if let (Some(pending), Some(here_from_left)) = (&mut self.pending, self.nearby.here_from(left)) {
@@ -187,7 +186,7 @@ impl Places {
             }
         }
         self.sightings.note(report);
-        self.network.note_step(memory.path().len());
+        self.network.note_view(memory.mfis().place_of(&here).position);
     }
 
     /// Measures the way since the last view.

@@ -1,6 +1,7 @@
 use std::{
     cmp::Ordering,
-    collections::{BTreeMap, BinaryHeap},
+    collections::{BTreeSet, BinaryHeap},
+    iter,
 };
 
 use cogmap_geometry::Pose;
@@ -98,25 +99,22 @@ impl Frames {
         self.links.push(link);
     }
 
-    /// The shortest ways along the links to every frame within `reach` metres (Dijkstra).
-    pub(super) fn ways_from(&self, start: FrameId, reach: f64) -> BTreeMap<FrameId, Way> {
-        let mut done: BTreeMap<FrameId, Way> = BTreeMap::new();
+    /// The frames within `reach` metres along the links and the shortest ways there, the nearest first (Dijkstra).
+    pub(super) fn nearest_from(&self, start: FrameId, reach: f64) -> impl Iterator<Item = (FrameId, Way)> {
         let here = Way { here_from_frame: Pose::IDENTITY, length: 0.0 };
         let mut open = BinaryHeap::from([Open { way: here, frame: start }]);
-        while let Some(Open { way, frame }) = open.pop() {
-            if done.contains_key(&frame) {
-                continue;
-            }
-            done.insert(frame, way);
+        let mut done = BTreeSet::new();
+        iter::from_fn(move || {
+            let Open { way, frame } = iter::from_fn(|| open.pop()).find(|next| done.insert(next.frame))?;
             for &(to, frame_from_to) in self.neighbours.get(frame.0 as usize).map_or(&[][..], Vec::as_slice) {
                 let length = way.length + frame_from_to.position.length();
-                if length <= reach && !done.contains_key(&to) {
+                if length <= reach && !done.contains(&to) {
                     let way = Way { here_from_frame: way.here_from_frame * frame_from_to, length };
                     open.push(Open { way, frame: to });
                 }
             }
-        }
-        done
+            Some((frame, way))
+        })
     }
 }
 

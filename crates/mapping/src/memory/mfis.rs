@@ -42,7 +42,7 @@ pub struct Mfis {
     /// For each surface the view in which it was forgotten.
     forgotten: Vec<Option<usize>>,
     frames: Frames,
-    index: Index,
+    index: Index<SurfaceId>,
 }
 
 impl Mfis {
@@ -86,6 +86,11 @@ impl Mfis {
             .filter(move |surface| surface.segment.distance_to(at) <= radius && self.remembers(surface.id))
     }
 
+    /// Everything ever stored in a frame, oldest first.
+    pub(crate) fn in_frame(&self, frame: FrameId) -> impl Iterator<Item = &StoredSurface> {
+        self.index.in_frame(frame).into_iter().filter_map(|id| self.get(id))
+    }
+
     /// The frames, oldest first; the first is the map's own.
     #[must_use]
     pub fn frames(&self) -> &[Frame] {
@@ -108,7 +113,13 @@ impl Mfis {
     /// its own included.
     #[must_use]
     pub fn ways_from(&self, frame: FrameId, reach: f64) -> BTreeMap<FrameId, Way> {
-        self.frames.ways_from(frame, reach)
+        self.frames.nearest_from(frame, reach).collect()
+    }
+
+    /// The frames around one along the links with the shortest ways there, the nearest first; it costs as
+    /// much as is taken of it.
+    pub(crate) fn nearest_frames(&self, frame: FrameId) -> impl Iterator<Item = (FrameId, Way)> {
+        self.frames.nearest_from(frame, f64::INFINITY)
     }
 
     /// A stored surface as it is drawn: in the map.

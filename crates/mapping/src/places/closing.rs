@@ -1,11 +1,11 @@
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use cogmap_geometry::Segment;
 
 use super::{AsrId, ExitId, Form, Now, Places, overlap, shape};
 use crate::{
     Event,
-    memory::{Memory, Mfis, SurfaceId},
+    memory::{Mfis, SurfaceId},
 };
 
 /// Spaces are compared each so many metres of way.
@@ -72,14 +72,14 @@ impl Places {
             }
         }
         let (old, share) = self.overlapped(now, self.network.surfaces_of(asr), left)?;
-        let fits = self.params.form == Form::Literal || self.is_no_larger(now.memory, asr, old);
+        let fits = self.params.form == Form::Literal || self.is_no_larger(now.memory.mfis(), asr, old);
         fits.then_some((old, share))
     }
 
     /// Whether a new space is not so much larger than an old one that it must be another.
-    fn is_no_larger(&self, memory: &Memory, newer: AsrId, older: AsrId) -> bool {
+    fn is_no_larger(&self, mfis: &Mfis, newer: AsrId, older: AsrId) -> bool {
         let around = self.params.overlap.around;
-        let area = |asr| overlap::area_of(&overlap::hull_of(&self.network, memory, asr, around));
+        let area = |asr| overlap::area_of(&overlap::hull_of(&self.network, mfis, asr, around));
         area(newer) <= self.params.familiarity.larger * area(older)
     }
 
@@ -96,12 +96,15 @@ impl Places {
             surfaces.iter().filter_map(|&id| mfis.get(id)).map(|surface| mfis.in_map(surface)).collect();
         let newest = self.network.current();
         let others = self.network.asrs().iter().map(|asr| asr.id).filter(|&asr| asr != left && asr != newest);
-        let shares = others.map(|asr| {
+        let shares = others.filter_map(|asr| {
             let way = self.trail.way() - self.last_in.get(&asr).copied().unwrap_or(0.0);
             let tolerance = self.params.overlap.tolerance_after(way);
-            let hull = overlap::hull_of(&self.network, now.memory, asr, self.params.overlap.around);
+            let around = self.params.overlap.around;
+            // No hull reaches farther, so most spaces need not be outlined.
+            let may_be_there = self.network.visits().may_reach(asr, robot, around + tolerance + 1e-6);
+            let hull = may_be_there.then(|| overlap::hull_of(&self.network, mfis, asr, around))?;
             let is_there = overlap::is_within(robot, &hull, tolerance);
-            (asr, if is_there { overlap::share_within(&segments, &hull, tolerance) } else { 0.0 })
+            Some((asr, if is_there { overlap::share_within(&segments, &hull, tolerance) } else { 0.0 }))
         });
         let best = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
         (best.1 >= self.params.overlap.share).then_some(best)
@@ -133,13 +136,7 @@ impl Places {
 
     /// The newer and the older of two near spaces that lie over each other most.
     fn double(&self, mfis: &Mfis) -> Option<(AsrId, AsrId, f64)> {
-        let near: Vec<(AsrId, Vec<Segment>)> = self
-            .network
-            .asrs()
-            .iter()
-            .map(|asr| (asr.id, self.outline_here(mfis, asr.id)))
-            .filter(|(_, outline)| !outline.is_empty())
-            .collect();
+        let near: Vec<(AsrId, Vec<Segment>)> = self.outlines_here(mfis).into_iter().collect();
         let mut best: Option<(AsrId, AsrId, f64)> = None;
         for (at, (newer, new)) in near.iter().enumerate() {
             for (older, old) in &near[..at] {
@@ -158,9 +155,10 @@ impl Places {
         let seen = now.report.view.surfaces.iter().map(|surface| now.here.frame_from_robot * surface.segment);
         let seen: Vec<Segment> =
             seen.filter(|segment| segment.length() >= self.params.looking.debris).collect();
-        let own = self.outline_here(mfis, current);
-        let older = self.network.asrs().iter().map(|asr| asr.id).filter(|&asr| asr < current);
-        let shares = older.map(|asr| (asr, self.outline_here(mfis, asr))).filter_map(|(asr, outline)| {
+        let mut outlines: BTreeMap<AsrId, Vec<Segment>> = self.outlines_here(mfis);
+        let own = outlines.remove(&current)?;
+        let older = outlines.into_iter().take_while(|(asr, _)| *asr < current);
+        let shares = older.filter_map(|(asr, outline)| {
             let fits = shape::share_on(&own, &outline) >= self.params.familiarity.shape / 2.0;
             fits.then(|| (current, asr, shape::share_on(&seen, &outline)))
         });

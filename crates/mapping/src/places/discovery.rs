@@ -29,7 +29,7 @@ impl Places {
     /// Notes whether the way from one point to the next goes through a known exit.
     pub(super) fn watch_known_exits(&mut self, from: DVec2, to: DVec2, view: usize) {
         let step = Segment::new(from, to);
-        let crossed = self.network.exits().iter().find_map(|exit| {
+        let crossed = self.exits_here().find_map(|exit| {
             let segment = self.nearby.here_from(exit.frame)? * exit.segment;
             let along = segment.direction()? * JAMB_ERROR;
             let at = step.crossing(Segment::new(segment.a - along, segment.b + along))?;
@@ -111,12 +111,16 @@ impl Places {
     }
 
     fn known_exit_at(&self, passage: Segment) -> Option<ExitId> {
-        let near = self.network.exits().iter().filter_map(|exit| {
+        let near = self.exits_here().filter_map(|exit| {
             let segment = self.nearby.here_from(exit.frame)? * exit.segment;
             let distance = segment.midpoint().distance(passage.midpoint());
             is_same_exit(segment, passage).then_some((distance, exit.id))
         });
         near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, exit)| exit)
+    }
+
+    fn exits_here(&self) -> impl Iterator<Item = &Exit> {
+        self.nearby.exits.iter().filter_map(|&exit| self.network.exit(exit))
     }
 
     /// The space behind a passage, if the robot knows it, and how much of it says so: where it lies in the
@@ -161,6 +165,7 @@ impl Places {
             crossed: passage.view,
             jambs: passage.jambs,
         });
+        self.nearby.exits.push(exit);
         self.confirm(passage.segment, exit);
         let moved = self.cross(now, (exit, passage.segment), (passage.view, asr));
         (exit, moved)

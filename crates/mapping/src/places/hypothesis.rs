@@ -89,13 +89,11 @@ impl Places {
             let segment = here.frame_from_robot * gap;
             match self.hypothesis_at(segment) {
                 Some(known) => self.network.see_again(known),
-                None => self.network.suppose(Hypothesis {
-                    frame: here.frame,
-                    segment,
-                    step: here.step,
-                    views: 1,
-                    confirmed: None,
-                }),
+                None => {
+                    let (frame, step) = (here.frame, here.step);
+                    let new = Hypothesis { frame, segment, step, views: 1, confirmed: None };
+                    self.nearby.hypotheses.push(self.network.suppose(new));
+                }
             }
         }
     }
@@ -112,8 +110,8 @@ impl Places {
             let here_from_frame = self.nearby.here_from(hypothesis.frame)?;
             Some((here_from_frame * hypothesis.segment.midpoint()).distance(segment.midpoint()))
         };
-        let near = self.network.hypotheses().iter().enumerate();
-        near.filter_map(|(index, hypothesis)| Some((index, distance(hypothesis)?)))
+        let near = self.nearby.hypotheses.iter();
+        near.filter_map(|&index| Some((index, distance(self.network.hypotheses().get(index)?)?)))
             .filter(|(_, distance)| *distance <= self.params.gaps.same)
             .min_by(|a, b| a.1.total_cmp(&b.1))
             .map(|(index, _)| index)

@@ -2,6 +2,7 @@ use std::collections::BTreeMap;
 
 use cogmap_geometry::{DVec2, Pose, Segment};
 
+use super::{ExitId, Network};
 use crate::memory::{FrameId, Mfis, SurfaceId, Way};
 
 /// How far the robot may go before its surroundings are gathered anew, metres.
@@ -10,11 +11,18 @@ const SLACK: f64 = 1.0;
 /// Frames farther than this along the links are not near, metres.
 const ALONG_LINKS: f64 = 30.0;
 
-/// A remembered surface in the robot's frame.
+/// A remembered surface in the robot's frame; length and direction are asked for each time that it is looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Near {
-    pub(super) id: SurfaceId,
     pub(super) segment: Segment,
+    pub(super) length: f64,
+    pub(super) direction: Option<DVec2>,
+}
+
+impl Near {
+    pub(super) fn new(segment: Segment) -> Self {
+        Self { segment, length: segment.length(), direction: segment.direction() }
+    }
 }
 
 /// What is remembered around the robot, in its frame. It is gathered now and then, so that a view costs
@@ -26,13 +34,17 @@ pub(super) struct Nearby {
     links: usize,
     ways: BTreeMap<FrameId, Way>,
     surfaces: Vec<Near>,
+    /// The exits around, in the order of finding.
+    pub(super) exits: Vec<ExitId>,
+    /// The numbers of the exits around that may be, in order.
+    pub(super) hypotheses: Vec<usize>,
 }
 
 impl Nearby {
     /// The robot is at a point of a frame, and these surfaces are new.
     pub(super) fn update(
         &mut self,
-        mfis: &Mfis,
+        (mfis, network): (&Mfis, &Network),
         (frame, at): (FrameId, DVec2),
         placed: &[SurfaceId],
         radius: f64,
@@ -46,28 +58,39 @@ impl Nearby {
             let added = placed.iter().filter_map(|&id| self.bring(mfis, id)).collect::<Vec<_>>();
             self.surfaces.extend(added);
         } else {
-            self.gather(mfis, at, radius + SLACK);
+            self.gather((mfis, network), at, radius + SLACK);
         }
     }
 
-    fn gather(&mut self, mfis: &Mfis, at: DVec2, radius: f64) {
+    fn gather(&mut self, (mfis, network): (&Mfis, &Network), at: DVec2, radius: f64) {
         self.centre = Some(at);
-        let gathered = self.ways.iter().flat_map(|(&frame, way)| {
-            let here_from_frame = way.here_from_frame;
-            mfis.near(frame, here_from_frame.inverse() * at, radius)
-                .map(move |surface| Near { id: surface.id, segment: here_from_frame * surface.segment })
-        });
-        self.surfaces = gathered.collect();
+        self.exits.clear();
+        self.hypotheses.clear();
+        self.surfaces.clear();
+        for (&frame, Way { here_from_frame, .. }) in &self.ways {
+            let at = here_from_frame.inverse() * at;
+            let surfaces = mfis.near(frame, at, radius);
+            self.surfaces.extend(surfaces.map(|surface| Near::new(*here_from_frame * surface.segment)));
+            self.exits.extend(network.exits_around(frame, at, radius));
+            self.hypotheses.extend(network.hypotheses_around(frame, at, radius));
+        }
+        self.exits.sort_unstable();
+        self.hypotheses.sort_unstable();
     }
 
     fn bring(&self, mfis: &Mfis, id: SurfaceId) -> Option<Near> {
         let stored = mfis.get(id)?;
-        Some(Near { id, segment: self.here_from(stored.frame)? * stored.segment })
+        Some(Near::new(self.here_from(stored.frame)? * stored.segment))
     }
 
     /// Where a near frame lies in the robot's.
     pub(super) fn here_from(&self, frame: FrameId) -> Option<Pose> {
         self.ways.get(&frame).map(|way| way.here_from_frame)
+    }
+
+    /// The near frames, oldest first, and where they lie in the robot's.
+    pub(super) fn frames(&self) -> impl Iterator<Item = (FrameId, Pose)> {
+        self.ways.iter().map(|(&frame, way)| (frame, way.here_from_frame))
     }
 
     /// The surfaces around.

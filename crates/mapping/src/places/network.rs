@@ -1,9 +1,9 @@
 use std::collections::BTreeMap;
 
-use cogmap_geometry::Pose;
+use cogmap_geometry::{DVec2, Pose};
 
-use super::{Asr, AsrId, Crossing, Exit, ExitId, Hypothesis};
-use crate::memory::{FrameId, SurfaceId};
+use super::{Asr, AsrId, Crossing, Exit, ExitId, Hypothesis, visits::Visits};
+use crate::memory::{FrameId, Index, SurfaceId};
 
 mod merge;
 mod route;
@@ -18,12 +18,15 @@ pub struct Network {
     opened: u32,
     asr_of_surface: Vec<Option<AsrId>>,
     surfaces_of: BTreeMap<AsrId, Vec<SurfaceId>>,
-    asr_of_step: Vec<AsrId>,
+    visits: Visits,
     /// For spaces that turned out to be another one: which.
     lasting: BTreeMap<AsrId, AsrId>,
     /// For exits that turned out to be another one: which.
     same_exit: BTreeMap<ExitId, ExitId>,
     hypotheses: Vec<Hypothesis>,
+    /// Where exits were found; those that turned out to be another one still lead to that.
+    exits_at: Index<ExitId>,
+    hypotheses_at: Index<usize>,
 }
 
 impl Default for Network {
@@ -36,10 +39,12 @@ impl Default for Network {
             opened: 0,
             asr_of_surface: Vec::new(),
             surfaces_of: BTreeMap::new(),
-            asr_of_step: Vec::new(),
+            visits: Visits::default(),
             lasting: BTreeMap::new(),
             same_exit: BTreeMap::new(),
             hypotheses: Vec::new(),
+            exits_at: Index::default(),
+            hypotheses_at: Index::default(),
         };
         network.open((FrameId::default(), Pose::IDENTITY), 0);
         network
@@ -57,7 +62,7 @@ impl Network {
     #[must_use]
     pub fn asr(&self, id: AsrId) -> Option<&Asr> {
         let id = self.lasting(id);
-        self.asrs.iter().find(|asr| asr.id == id)
+        self.asrs.binary_search_by_key(&id, |asr| asr.id).ok().map(|at| &self.asrs[at])
     }
 
     /// The space that one turned out to be; mostly itself.
@@ -76,7 +81,7 @@ impl Network {
     #[must_use]
     pub fn exit(&self, id: ExitId) -> Option<&Exit> {
         let id = self.same_exit.get(&id).copied().unwrap_or(id);
-        self.exits.iter().find(|exit| exit.id == id)
+        self.exits.binary_search_by_key(&id, |exit| exit.id).ok().map(|at| &self.exits[at])
     }
 
     /// Each time that the robot went through an exit, in order.
@@ -112,7 +117,7 @@ impl Network {
     /// The space in which a view was taken.
     #[must_use]
     pub fn asr_at(&self, step: usize) -> Option<AsrId> {
-        self.asr_of_step.get(step).copied()
+        self.visits.asr_at(step)
     }
 
     /// Opens a space with its entrance there.
@@ -134,13 +139,24 @@ impl Network {
             }
         }
         self.exits.push(exit);
+        self.exits_at.insert(exit.frame, exit.segment, id);
         id
+    }
+
+    /// The exits of a frame that may come within `radius` metres of a point, in the order of finding.
+    pub(super) fn exits_around(&self, frame: FrameId, at: DVec2, radius: f64) -> Vec<ExitId> {
+        self.exits_at.around(frame, at, radius)
+    }
+
+    /// The numbers of the hypotheses of a frame that may come within `radius` metres of a point, in order.
+    pub(super) fn hypotheses_around(&self, frame: FrameId, at: DVec2, radius: f64) -> Vec<usize> {
+        self.hypotheses_at.around(frame, at, radius)
     }
 
     /// The name of the next exit.
     pub(super) fn next_exit(&self) -> ExitId {
         let kept = self.exits.last().map_or(0, |exit| exit.id.0 + 1);
-        ExitId(self.same_exit.keys().map(|id| id.0 + 1).fold(kept, u32::max))
+        ExitId(self.same_exit.last_key_value().map_or(kept, |(gone, _)| kept.max(gone.0 + 1)))
     }
 
     /// The robot has gone through an exit: it is in another space since the view after the crossing.
@@ -152,9 +168,7 @@ impl Network {
     /// The robot is in a space since a view.
     pub(super) fn enter(&mut self, asr: AsrId, since: usize) {
         self.current = asr;
-        for step in self.asr_of_step.iter_mut().skip(since) {
-            *step = asr;
-        }
+        self.visits.enter(asr, since);
     }
 
     /// Gives a surface to a space; it leaves the one that it belonged to.
@@ -178,12 +192,20 @@ impl Network {
         }
     }
 
-    pub(super) fn note_step(&mut self, views: usize) {
-        self.asr_of_step.resize(views, self.current);
+    /// A view was taken there in the map.
+    pub(super) fn note_view(&mut self, at: DVec2) {
+        self.visits.add(self.current, at);
     }
 
-    pub(super) fn suppose(&mut self, hypothesis: Hypothesis) {
+    pub(super) fn visits(&self) -> &Visits {
+        &self.visits
+    }
+
+    pub(super) fn suppose(&mut self, hypothesis: Hypothesis) -> usize {
+        let number = self.hypotheses.len();
+        self.hypotheses_at.insert(hypothesis.frame, hypothesis.segment, number);
         self.hypotheses.push(hypothesis);
+        number
     }
 
     pub(super) fn see_again(&mut self, hypothesis: usize) {

@@ -2,7 +2,7 @@ use cogmap_geometry::{DVec2, Segment};
 use serde::{Deserialize, Serialize};
 
 use super::{AsrId, Network, sight};
-use crate::memory::Memory;
+use crate::memory::Mfis;
 
 /// Of the robot's path points so far apart are taken, metres.
 const PATH_SPACING: f64 = 0.5;
@@ -53,11 +53,9 @@ pub(super) fn share_within(surfaces: &[Segment], hull: &[DVec2], tolerance: f64)
 
 /// The hull of a space in the map: where the robot was in it, and its surfaces around there. What is farther off was
 /// mostly seen through doors that it has not gone through yet.
-pub(super) fn hull_of(network: &Network, memory: &Memory, asr: AsrId, around: f64) -> Vec<DVec2> {
-    let mfis = memory.mfis();
+pub(super) fn hull_of(network: &Network, mfis: &Mfis, asr: AsrId, around: f64) -> Vec<DVec2> {
     let mut points: Vec<DVec2> = Vec::new();
-    for point in memory.path().iter().filter(|point| network.asr_at(point.step) == Some(asr)) {
-        let at = mfis.place_of(point).position;
+    for at in network.visits().places_in(asr) {
         if points.last().is_none_or(|last| last.distance(at) >= PATH_SPACING) {
             points.push(at);
         }

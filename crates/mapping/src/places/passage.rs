@@ -169,7 +169,7 @@ pub(super) fn narrowest_near(chord: Segment, at: DVec2, near: &[Near], debris: f
     let nearest = |jamb: DVec2, other: DVec2, outward: DVec2| {
         let points = near
             .iter()
-            .filter(|surface| surface.segment.length() >= debris)
+            .filter(|surface| surface.length >= debris)
             .map(|surface| surface.segment.closest_point(other));
         points
             .filter(|point| point.distance(jamb) <= JAMB_ERROR && (*point - at).dot(outward) > 0.0)
@@ -206,17 +206,15 @@ pub(super) fn jambs_of(chord: Segment, near: &[Near]) -> u8 {
 fn wall_beyond(jamb: DVec2, outward: DVec2, near: &[Near]) -> f64 {
     let mut covered = [false; JAMB_CELLS as usize];
     for surface in near {
-        let segment = surface.segment;
-        let Some(direction) = segment.direction() else { continue };
-        let is_far = segment.distance_to(jamb) > JAMB_REACH + JAMB_OFFSET;
-        if is_far || direction.dot(outward).abs() < JAMB_COS {
+        let Near { segment, direction: Some(direction), .. } = *surface else { continue };
+        if direction.dot(outward).abs() < JAMB_COS || segment.distance_to(jamb) > JAMB_REACH + JAMB_OFFSET {
             continue;
         }
-        for (cell, covered) in (0..JAMB_CELLS).zip(&mut covered) {
+        for (cell, covered) in (0..JAMB_CELLS).zip(&mut covered).filter(|(_, covered)| !**covered) {
             let along = JAMB_REACH * (f64::from(cell) + 0.5) / f64::from(JAMB_CELLS);
             let point = jamb + outward * along;
             let share = segment.share_of(point);
-            *covered |= (0.0..=1.0).contains(&share) && segment.distance_to(point) <= JAMB_OFFSET;
+            *covered = (0.0..=1.0).contains(&share) && segment.distance_to(point) <= JAMB_OFFSET;
         }
     }
     let cells: u32 = covered.iter().map(|&covered| u32::from(covered)).sum();

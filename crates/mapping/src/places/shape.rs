@@ -1,7 +1,9 @@
+use std::collections::BTreeMap;
+
 use cogmap_geometry::Segment;
 
 use super::{AsrId, Places, sight};
-use crate::memory::Mfis;
+use crate::memory::{Mfis, SurfaceId};
 
 /// A piece of wall lies on another when it is this near, metres …
 const NEAR: f64 = 0.3;
@@ -26,12 +28,22 @@ pub(super) fn share_on(newer: &[Segment], older: &[Segment]) -> f64 {
 }
 
 impl Places {
-    /// The surfaces of a space in the robot's frame, as far as they are near; debris has no part in a shape.
-    pub(super) fn outline_here(&self, mfis: &Mfis, asr: AsrId) -> Vec<Segment> {
-        let stored = self.network.surfaces_of(asr).iter().filter_map(|&id| mfis.get(id));
-        let placed =
-            stored.filter_map(|surface| Some(self.nearby.here_from(surface.frame)? * surface.segment));
-        placed.filter(|segment| segment.length() >= self.params.looking.debris).collect()
+    /// The surfaces of each space in the robot's frame, oldest first, as far as they are near; debris has no part
+    /// in a shape.
+    pub(super) fn outlines_here(&self, mfis: &Mfis) -> BTreeMap<AsrId, Vec<Segment>> {
+        let mut near: Vec<(SurfaceId, Segment)> = Vec::new();
+        for (frame, here_from_frame) in self.nearby.frames() {
+            near.extend(mfis.in_frame(frame).map(|stored| (stored.id, here_from_frame * stored.segment)));
+        }
+        near.retain(|(_, segment)| segment.length() >= self.params.looking.debris);
+        near.sort_unstable_by_key(|(id, _)| *id);
+        let mut outlines: BTreeMap<AsrId, Vec<Segment>> = BTreeMap::new();
+        for (id, segment) in near {
+            if let Some(asr) = self.network.asr_of(id) {
+                outlines.entry(asr).or_default().push(segment);
+            }
+        }
+        outlines
     }
 }
 

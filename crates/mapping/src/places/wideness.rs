@@ -39,6 +39,9 @@ const TURNS: usize = 10;
 /// between the two faces of a wall.
 const WINDOW: usize = 2;
 
+/// No point of a surface is nearer than the surface by more than this, metres.
+const ROUNDING: f64 = 1e-9;
+
 /// From what is on the left of a point of the way to what is on its right.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Chord {
@@ -61,8 +64,11 @@ pub(super) fn chord_at(at: DVec2, direction: DVec2, near: &[Near], form: Form, p
     };
     let mut profile = Profile::new(at, direction.perp(), turns, params.range);
     for surface in near {
-        if surface.segment.length() >= debris && surface.segment.distance_to(at) < params.range {
-            profile.take_in(surface.segment);
+        if surface.length >= debris {
+            let distance = surface.segment.distance_to(at);
+            if distance < params.range {
+                profile.take_in(surface.segment, distance);
+            }
         }
     }
     match form {
@@ -76,6 +82,8 @@ struct Profile {
     at: DVec2,
     left: DVec2,
     turns: usize,
+    /// Along the edge of what is looked at on a side, a little outside; x is outward.
+    edge: DVec2,
     /// For each side and turn: distance and point.
     sides: [Vec<(f64, DVec2)>; 2],
 }
@@ -90,26 +98,48 @@ impl Profile {
                 })
                 .collect()
         };
-        Self { at, left, turns, sides: [free(1.0), free(-1.0)] }
+        let (sin, cos) = trig::sin_cos(angle_of(2 * turns, turns) + STEP / 2.0 + 1e-6);
+        Self { at, left, turns, edge: DVec2::new(cos, sin), sides: [free(1.0), free(-1.0)] }
     }
 
-    fn take_in(&mut self, segment: Segment) {
+    /// Takes in a surface that is so many metres off.
+    fn take_in(&mut self, segment: Segment, distance: f64) {
         for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
             let axis = self.left * sign;
             let local = |point: DVec2| {
                 let off = point - self.at;
                 DVec2::new(off.dot(axis), off.dot(axis.perp()))
             };
-            self.take_in_side(side, axis, Segment::new(local(segment.a), local(segment.b)));
+            let local = Segment::new(local(segment.a), local(segment.b));
+            if !self.is_beside(local) && !self.is_hidden(side, distance) {
+                self.take_in_side((side, axis), local, distance);
+            }
         }
     }
 
+    /// Whether a surface lies behind or wholly past an edge of what is looked at on a side.
+    fn is_beside(&self, local: Segment) -> bool {
+        let both = |past: &dyn Fn(DVec2) -> bool| past(local.a) && past(local.b);
+        let other = DVec2::new(self.edge.x, -self.edge.y);
+        both(&|point| point.x < 0.0)
+            || both(&|point| self.edge.perp_dot(point) > 0.0)
+            || both(&|point| other.perp_dot(point) < 0.0)
+    }
+
+    /// Whether there is something nearer in every direction of a side.
+    fn is_hidden(&self, side: usize, distance: f64) -> bool {
+        self.sides[side].iter().all(|(nearest, _)| distance > nearest + ROUNDING)
+    }
+
     /// The part of a surface on one side; `local.x` is outward.
-    fn take_in_side(&mut self, side: usize, axis: DVec2, local: Segment) {
+    fn take_in_side(&mut self, (side, axis): (usize, DVec2), local: Segment, distance: f64) {
         let (from, to) = (bearing(local.a), bearing(local.b));
         let half_span = normalize_angle(to - from) / 2.0;
         let centre = normalize_angle(from + half_span);
         for bin in 0..=2 * self.turns {
+            if distance > self.sides[side][bin].0 + ROUNDING {
+                continue;
+            }
             // Angles from the middle of the surface, so that none wraps around.
             let off = normalize_angle(angle_of(bin, self.turns) - centre);
             let reach = half_span.abs();
@@ -188,14 +218,10 @@ fn nearest_between(line: Segment, first: f64, last: f64) -> Option<DVec2> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::memory::SurfaceId;
     use proptest::prelude::*;
 
     fn near(lines: &[([f64; 2], [f64; 2])]) -> Vec<Near> {
-        let of = |(a, b): &([f64; 2], [f64; 2])| Near {
-            id: SurfaceId(0),
-            segment: Segment::new(DVec2::from(*a), DVec2::from(*b)),
-        };
+        let of = |(a, b): &([f64; 2], [f64; 2])| Near::new(Segment::new(DVec2::from(*a), DVec2::from(*b)));
         lines.iter().map(of).collect()
     }
 

@@ -9,6 +9,10 @@ use super::{
 };
 use crate::memory::{FrameId, Mfis, Way};
 
+/// Loops are looked for in so many frames at most, the nearest along the links: memory for one's immediate
+/// surroundings has an end (§2.2.2), and a step must not cost more the larger the map is.
+const FRAMES: usize = 1000;
+
 /// The hypotheses beside the first: one, or several while the robot is lost.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recall {
@@ -26,7 +30,7 @@ struct Lostness {
     examined: u32,
 }
 
-/// All ways from a frame, kept while they are the same.
+/// The ways from a frame to those around it, kept while they are the same.
 #[derive(Clone, Debug, Default)]
 struct Ways {
     from: Option<(FrameId, usize)>,
@@ -102,7 +106,11 @@ impl Recall {
     ) -> Option<Hypothesis> {
         let Recognition { radius, drift, radius_max, loop_length, .. } = *rules.recognition;
         let mut nearest: Option<(FrameId, Pose, f64, f64)> = None;
-        for &(old, way) in &self.ways.all {
+        let reach = radius_max + 2.0;
+        let robot = frame_from_robot.position;
+        // Most frames are too far off to be worth a turn of the pose.
+        let may_be_near = |way: &Way| way.here_from_frame.position.distance(robot) < reach + 1e-6;
+        for &(old, way) in self.ways.all.iter().filter(|(_, way)| may_be_near(way)) {
             let old_from_robot = way.here_from_frame.inverse() * frame_from_robot;
             let distance = old_from_robot.position.length();
             let radius = (radius + drift * way.length).min(radius_max);
@@ -169,7 +177,8 @@ impl Ways {
         let now = Some((frame, mfis.links().len()));
         if self.from != now {
             self.from = now;
-            self.all = mfis.ways_from(frame, f64::INFINITY).into_iter().collect();
+            self.all = mfis.nearest_frames(frame).take(FRAMES).collect();
+            self.all.sort_unstable_by_key(|(frame, _)| *frame);
         }
     }
 }

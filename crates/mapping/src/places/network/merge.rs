@@ -11,9 +11,7 @@ impl Network {
         for surface in self.surfaces_of.remove(&newer).unwrap_or_default() {
             self.assign(surface, older);
         }
-        for step in self.asr_of_step.iter_mut().filter(|step| **step == newer) {
-            *step = older;
-        }
+        self.visits.merge(newer, older);
         let sides = self.exits.iter_mut().flat_map(|exit| &mut exit.between);
         let crossed = self.crossings.iter_mut().map(|crossing| &mut crossing.into);
         for side in sides.chain(crossed).filter(|side| **side == newer) {
