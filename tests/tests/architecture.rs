@@ -9,8 +9,8 @@ const FLOORS: [&[&str]; 8] = [
     &["cogmap-mapping"],
     &["cogmap-navigation"],
     &["cogmap-simulation"],
-    &["cogmap-formats", "cogmap-scene", "cogmap-raycast-bench"],
-    &["cogmap-study", "cogmap-steps-bench"],
+    &["cogmap-formats", "cogmap-scene"],
+    &["cogmap-study", "cogmap-bench"],
     &["cogmap", "cogmap-wasm"],
     &["cogmap-tests"],
 ];

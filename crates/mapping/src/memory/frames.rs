@@ -143,3 +143,25 @@ impl PartialEq for Open {
 }
 
 impl Eq for Open {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frames_come_nearest_first_however_they_are_linked() {
+        let mut frames = Frames::default();
+        let ids: Vec<FrameId> = (0..4).map(|_| frames.open(Pose::IDENTITY)).collect();
+        let (from, kind) = (FrameId::default(), LinkKind::Passage);
+        for (from, to, x) in
+            [(from, ids[0], 9.0), (from, ids[1], 2.0), (ids[1], ids[2], 3.0), (ids[2], ids[0], 1.0)]
+        {
+            frames.link(Link { from, to, from_from_to: Pose::new(x, 0.0, 0.0), step: 0, kind });
+        }
+        let found: Vec<_> = frames.nearest_from(from, 6.0).map(|(frame, way)| (frame, way.length)).collect();
+        assert_eq!(found, [(from, 0.0), (ids[1], 2.0), (ids[2], 5.0), (ids[0], 6.0)]);
+        assert_eq!(frames.nearest_from(from, 5.5).count(), 3);
+        // No link leads to the last one.
+        assert_eq!(frames.nearest_from(ids[3], f64::INFINITY).count(), 1);
+    }
+}

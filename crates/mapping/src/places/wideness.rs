@@ -259,6 +259,27 @@ mod tests {
 
     proptest! {
         #[test]
+        fn what_is_left_out_as_hidden_or_beside_is_not_nearest(
+            ends in prop::collection::vec((-4.0f64..4.0, -4.0f64..4.0, -4.0f64..4.0, -4.0f64..4.0), 1..12),
+        ) {
+            let lines: Vec<_> = ends.iter().map(|&(a, b, c, d)| ([a, b], [c, d])).collect();
+            let near = near(&lines);
+            for turns in [WINDOW, TURNS] {
+                let [mut all, mut some] = [(); 2].map(|()| Profile::new(DVec2::ZERO, DVec2::Y, turns, 8.0));
+                for surface in &near {
+                    some.take_in(surface.segment, surface.segment.distance_to(DVec2::ZERO));
+                    // At no distance nothing is hidden.
+                    for (side, axis) in [DVec2::Y, -DVec2::Y].into_iter().enumerate() {
+                        let local = |point: DVec2| DVec2::new(point.dot(axis), point.dot(axis.perp()));
+                        let local = Segment::new(local(surface.segment.a), local(surface.segment.b));
+                        all.take_in_side((side, axis), local, 0.0);
+                    }
+                }
+                prop_assert_eq!(&all.sides, &some.sides);
+            }
+        }
+
+        #[test]
         fn nothing_is_seen_beyond_the_lasers_range(
             ends in prop::collection::vec((-4.0f64..4.0, -4.0f64..4.0, -4.0f64..4.0, -4.0f64..4.0), 0..12),
         ) {

@@ -2,14 +2,11 @@
 
 use std::cell::RefCell;
 
-use cogmap_mapping::Mapper;
-
-use crate::Prepared;
+use crate::Bench;
 
 thread_local! {
     static LOG: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
-    static PREPARED: RefCell<Option<Prepared>> = const { RefCell::new(None) };
-    static START: RefCell<Option<Mapper>> = const { RefCell::new(None) };
+    static BENCH: RefCell<Option<Bench>> = const { RefCell::new(None) };
 }
 
 /// Takes one more byte of the log.
@@ -19,27 +16,23 @@ pub extern "C" fn feed(byte: u32) {
     LOG.with_borrow_mut(|log| log.push(byte.to_le_bytes()[0]));
 }
 
-/// Makes everything ready for a task; how many steps a run of it takes.
+/// See [`Bench::prepare`].
 #[allow(unsafe_code, reason = "a name for Node to call; nothing else has it")]
 #[unsafe(no_mangle)]
 pub extern "C" fn prepare(task: usize) -> usize {
-    let prepared = LOG.with_borrow(|log| Prepared::new(task, log));
-    let steps = prepared.as_ref().map_or(0, Prepared::steps);
-    PREPARED.set(prepared);
-    steps
+    BENCH.with_borrow_mut(|bench| bench.get_or_insert_with(|| Bench::new(LOG.take())).prepare(task))
 }
 
-/// Copies what a run begins with.
+/// See [`Bench::rewind`].
 #[allow(unsafe_code, reason = "a name for Node to call; nothing else has it")]
 #[unsafe(no_mangle)]
 pub extern "C" fn rewind() {
-    START.set(PREPARED.with_borrow(|prepared| prepared.as_ref().and_then(Prepared::start)));
+    BENCH.with_borrow_mut(|bench| bench.iter_mut().for_each(Bench::rewind));
 }
 
-/// Runs the task prepared last; a number that is the same wherever it runs.
+/// See [`Bench::run`].
 #[allow(unsafe_code, reason = "a name for Node to call; nothing else has it")]
 #[unsafe(no_mangle)]
 pub extern "C" fn run() -> f64 {
-    let start = START.take();
-    PREPARED.with_borrow(|prepared| prepared.as_ref().map_or(0.0, |prepared| prepared.run(start)))
+    BENCH.with_borrow_mut(|bench| bench.as_mut().map_or(0.0, Bench::run))
 }

@@ -8,21 +8,17 @@ use parry2d_f64::{
 
 use crate::office::Office;
 
-/// About how many wall segments the offices have.
-pub const SIZES: [usize; 3] = [200, 2_000, 20_000];
-/// What is timed, in the order of [`Contest::run`]'s argument.
-pub const METHODS: [&str; 3] = ["ours", "parry", "brute"];
-/// Scans to take, each from another pose.
-pub const POSES: usize = 256;
-/// Scans timed together: few enough that some round is not interrupted.
-pub const BATCH: usize = 16;
+/// Scans to take, each from another pose …
+const POSES: usize = 256;
+/// … but fewer where each takes so long.
+const BRUTE_POSES: usize = 16;
 /// Metres at which a beam ends.
-pub const RANGE_MAX: f64 = 30.0;
+const RANGE_MAX: f64 = 30.0;
 
 const BEAMS: usize = 361;
 
 /// An office, scans to take in it, and three ways of taking them.
-pub struct Contest {
+pub(crate) struct Contest {
     segments: Vec<Segment>,
     fans: Vec<Fan>,
     grid: RayGrid,
@@ -33,8 +29,7 @@ pub struct Contest {
 
 impl Contest {
     /// An office of about `segments` segments and [`POSES`] free poses in it.
-    #[must_use]
-    pub fn new(segments: usize) -> Self {
+    pub(crate) fn new(segments: usize) -> Self {
         let mut office = Office::new(segments);
         let fans = (0..POSES).map(|_| {
             let (origin, heading) = office.free_pose();
@@ -50,27 +45,24 @@ impl Contest {
         Self { segments, fans, grid, shapes, bvh, hits: Vec::new() }
     }
 
-    /// How many segments the office really has.
-    #[must_use]
-    pub fn segments(&self) -> usize {
-        self.segments.len()
+    /// How many scans are taken with a method.
+    pub(crate) fn scans(method: usize) -> usize {
+        if method < 2 { POSES } else { BRUTE_POSES }
     }
 
-    /// Takes the [`BATCH`] scans from `first` on with a method; the sum of all
-    /// ranges, metres.
-    pub fn run(&mut self, method: usize, first: usize) -> f64 {
+    /// Takes the scans with a method; the sum of all ranges, metres.
+    pub(crate) fn run(&mut self, method: usize) -> f64 {
         let mut ranges = Vec::new();
         let mut sum = 0.0;
-        for scan in first..(first + BATCH).min(self.fans.len()) {
+        for scan in 0..Self::scans(method) {
             self.scan(method, scan, &mut ranges);
             sum += ranges.iter().sum::<f64>();
         }
         sum
     }
 
-    /// How many beams of all scans two methods see differently by over a
-    /// millimetre.
-    pub fn differences(&mut self, methods: [usize; 2]) -> usize {
+    /// How many beams of all scans two methods see differently by over a millimetre, and how many there are.
+    pub(crate) fn differences(&mut self, methods: [usize; 2]) -> (usize, usize) {
         let mut count = 0;
         for scan in 0..self.fans.len() {
             let [first, second] = methods.map(|method| {
@@ -80,7 +72,7 @@ impl Contest {
             });
             count += first.iter().zip(&second).filter(|(a, b)| (*a - *b).abs() > 1e-3).count();
         }
-        count
+        (count, POSES * BEAMS)
     }
 
     fn scan(&mut self, method: usize, scan: usize, ranges: &mut Vec<f64>) {
