@@ -18,6 +18,7 @@
 
 mod angle;
 mod line;
+mod metric;
 mod pose;
 mod segment;
 pub mod trig;
@@ -25,5 +26,6 @@ pub mod trig;
 pub use angle::{line_angle_between, normalize_angle};
 pub use glam::DVec2;
 pub use line::{LineFit, fit_line};
+pub use metric::Metric;
 pub use pose::Pose;
 pub use segment::Segment;

@@ -1,5 +1,7 @@
 use glam::DVec2;
 
+use crate::Metric;
+
 /// A straight line fitted to points by total least squares.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineFit {
@@ -60,7 +62,7 @@ fn principal_axis(xx: f64, xy: f64, yy: f64) -> Option<DVec2> {
     let root = (half * half + xy * xy).sqrt();
     // Of the two equivalent forms, the one that does not cancel.
     let axis = if half >= 0.0 { DVec2::new(half + root, xy) } else { DVec2::new(xy, root - half) };
-    axis.try_normalize().or_else(|| (xx + yy > 0.0).then_some(DVec2::X))
+    axis.unit().or_else(|| (xx + yy > 0.0).then_some(DVec2::X))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-use crate::{line_angle_between, trig};
+use crate::{Metric, line_angle_between, trig};
 
 /// A straight line between two points, metres; `a` to `b` has a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -22,7 +22,7 @@ impl Segment {
     /// Metres from end to end.
     #[must_use]
     pub fn length(self) -> f64 {
-        self.a.distance(self.b)
+        self.a.distance_from(self.b)
     }
 
     /// The point half-way.
@@ -41,7 +41,7 @@ impl Segment {
     /// Unit vector from `a` to `b`; `None` where both ends coincide.
     #[must_use]
     pub fn direction(self) -> Option<DVec2> {
-        (self.b - self.a).try_normalize()
+        (self.b - self.a).unit()
     }
 
     /// The same line from `b` to `a`.
@@ -68,7 +68,7 @@ impl Segment {
     /// Metres from `point` to the segment.
     #[must_use]
     pub fn distance_to(self, point: DVec2) -> f64 {
-        self.closest_point(point).distance(point)
+        self.closest_point(point).distance_from(point)
     }
 
     /// Signed metres from the infinite line to `point`, positive on the left of

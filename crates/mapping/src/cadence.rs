@@ -1,4 +1,4 @@
-use cogmap_geometry::{Pose, trig};
+use cogmap_geometry::{Metric, Pose, trig};
 use serde::{Deserialize, Serialize};
 
 use crate::perception::{Moment, Reading};
@@ -30,7 +30,7 @@ impl Cadence {
             Moment::WithinStep => false,
             Moment::Rolling => {
                 let moved = odom_from_last.from_here(reading.odom_from_robot);
-                moved.position.length() >= self.distance || moved.heading.abs() >= self.turn
+                moved.position.norm() >= self.distance || moved.heading.abs() >= self.turn
             }
         }
     }

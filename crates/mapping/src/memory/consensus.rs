@@ -25,7 +25,7 @@ mod surroundings;
 
 use std::collections::VecDeque;
 
-use cogmap_geometry::Pose;
+use cogmap_geometry::{Metric, Pose};
 
 pub use self::{
     alignment::Alignment, look::FreeSpace, lost::Loss, novelty::Novelty, params::ConsensusParams,
@@ -166,7 +166,7 @@ impl Consensus {
     fn time_to_place(&self) -> bool {
         let since = self.frame_from_last_placing.from_here(self.frame_from_robot);
         self.memory.path().is_empty()
-            || since.position.length() >= self.params.place_distance
+            || since.position.norm() >= self.params.place_distance
             || since.heading.abs() >= self.params.place_turn
     }
 
@@ -211,7 +211,7 @@ impl Consensus {
 
     /// Goes over to a nearer frame, or opens one where there is none.
     fn settle(&mut self) {
-        if self.frame_from_robot.position.length() <= self.params.frame_size {
+        if self.frame_from_robot.position.norm() <= self.params.frame_size {
             return;
         }
         let nearest = self.surroundings.nearest_frame(self.frame, self.frame_from_robot);

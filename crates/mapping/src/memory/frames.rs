@@ -4,7 +4,7 @@ use std::{
     iter,
 };
 
-use cogmap_geometry::Pose;
+use cogmap_geometry::{Metric, Pose};
 use serde::{Deserialize, Serialize};
 
 /// Names a local frame of one MFIS, in the order of opening; frame 0 is the map's.
@@ -107,7 +107,7 @@ impl Frames {
         iter::from_fn(move || {
             let Open { way, frame } = iter::from_fn(|| open.pop()).find(|next| done.insert(next.frame))?;
             for &(to, frame_from_to) in self.neighbours.get(frame.0 as usize).map_or(&[][..], Vec::as_slice) {
-                let length = way.length + frame_from_to.position.length();
+                let length = way.length + frame_from_to.position.norm();
                 if length <= reach && !done.contains(&to) {
                     let way = Way { here_from_frame: way.here_from_frame * frame_from_to, length };
                     open.push(Open { way, frame: to });

@@ -1,4 +1,4 @@
-use cogmap_geometry::{Pose, Segment, normalize_angle, trig};
+use cogmap_geometry::{Metric, Pose, Segment, normalize_angle, trig};
 use serde::{Deserialize, Serialize};
 
 use super::{SurfaceId, Tracked};
@@ -88,7 +88,7 @@ fn turned(seen: &Surface, known: &Tracked) -> f64 {
 fn end_distance(seen: &Surface, known: &Tracked, end: usize) -> f64 {
     let (own, other) = (end_of(seen.segment, end), end_of(known.segment, end));
     if seen.ends[end] == End::True && known.ends[end] == End::True {
-        return own.distance(other);
+        return own.distance_from(other);
     }
     let (to_known, to_seen) = (known.segment.distance_to(own), seen.segment.distance_to(other));
     to_known.min(to_seen)

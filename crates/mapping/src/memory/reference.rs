@@ -1,4 +1,4 @@
-use cogmap_geometry::{DVec2, Pose, Segment, line_angle_between, normalize_angle, trig};
+use cogmap_geometry::{DVec2, Metric, Pose, Segment, line_angle_between, normalize_angle, trig};
 use serde::{Deserialize, Serialize};
 
 use super::{Match, Mfis, StoredSurface, SurfaceId, matching::end_of};
@@ -159,7 +159,7 @@ fn reference(pair: &Pair<'_>, pairs: &[Pair<'_>], params: &ReferenceQuality) -> 
 
 /// The end that both sightings saw as a true end; of two, the one nearer to the robot.
 fn shared_true_end(pair: &Pair<'_>) -> Option<usize> {
-    let nearness = |end: usize| end_of(pair.seen.segment, end).length();
+    let nearness = |end: usize| end_of(pair.seen.segment, end).norm();
     (0..2)
         .filter(|&end| pair.seen.ends[end] == End::True && pair.known.ends[end] == End::True)
         .min_by(|&a, &b| nearness(a).total_cmp(&nearness(b)))
@@ -168,7 +168,7 @@ fn shared_true_end(pair: &Pair<'_>) -> Option<usize> {
 /// An end that is no limit of the sensor: something to hold on to, if a poor one. A corridor's walls
 /// have none, and there the thesis's robot was lost (§3.2.3).
 fn guessed_end(pair: &Pair<'_>) -> Option<usize> {
-    let nearness = |end: usize| end_of(pair.seen.segment, end).length();
+    let nearness = |end: usize| end_of(pair.seen.segment, end).norm();
     (0..2)
         .filter(|&end| pair.seen.ends[end] != End::RangeLimit && pair.known.ends[end] != End::RangeLimit)
         .min_by(|&a, &b| nearness(a).total_cmp(&nearness(b)))
@@ -216,7 +216,7 @@ fn set_aside_outliers(references: &mut Vec<Reference>, params: &ReferenceQuality
         return;
     }
     let median = DVec2::new(median_of(sure.iter().map(|p| p.x)), median_of(sure.iter().map(|p| p.y)));
-    references.retain(|r| r.map_from_robot.position.distance(median) <= params.agreement);
+    references.retain(|r| r.map_from_robot.position.distance_from(median) <= params.agreement);
 }
 
 fn median_of(values: impl Iterator<Item = f64>) -> f64 {

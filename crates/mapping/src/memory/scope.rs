@@ -1,4 +1,4 @@
-use cogmap_geometry::Pose;
+use cogmap_geometry::{Metric, Pose};
 use serde::{Deserialize, Serialize};
 
 use super::{FrameId, Match, Matching, Mfis, Tracked, match_views};
@@ -26,8 +26,7 @@ pub(super) fn match_remembered(
     let open: Vec<usize> =
         (0..view.surfaces.len()).filter(|&seen| matched.iter().all(|m| m.seen != seen)).collect();
     let surfaces: Vec<Surface> = open.iter().map(|&seen| view.surfaces[seen].clone()).collect();
-    let farthest =
-        surfaces.iter().map(|s| s.segment.a.length().max(s.segment.b.length())).fold(0.0, f64::max);
+    let farthest = surfaces.iter().map(|s| s.segment.a.norm().max(s.segment.b.norm())).fold(0.0, f64::max);
     let known: Vec<Tracked> = mfis
         .near(FrameId::default(), map_from_robot.position, farthest + params.distance * params.label_reach)
         .filter(|stored| matched.iter().all(|m| m.known != stored.id))

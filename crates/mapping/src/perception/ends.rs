@@ -1,6 +1,6 @@
 //! Where a surface ends, and why (the kinds decide later what may serve as an anchor).
 
-use cogmap_geometry::{DVec2, LineFit, Segment, line_angle_between, trig};
+use cogmap_geometry::{DVec2, LineFit, Metric, Segment, line_angle_between, trig};
 
 use super::{
     End, Extraction, Scan,
@@ -35,8 +35,8 @@ pub(super) fn extents(points: &[Point], lines: &[(Piece, LineFit)], params: &Ext
         let touching = second.0.from <= first.0.to + 1;
         if let Some(corner) = corner_of(&first.1, &second.1, params)
             && touching
-            && extents[next - 1].segment.b.distance(corner) <= params.corner_reach
-            && extents[next].segment.a.distance(corner) <= params.corner_reach
+            && extents[next - 1].segment.b.distance_from(corner) <= params.corner_reach
+            && extents[next].segment.a.distance_from(corner) <= params.corner_reach
         {
             extents[next - 1].segment.b = corner;
             extents[next - 1].corners[1] = true;
@@ -103,17 +103,17 @@ fn open_kind(
 /// Whether the next point stands where the end is, so that two surfaces meet there, however slightly
 /// they are turned against each other.
 fn touches(seen: &Point, end: &Point, scan: &Scan) -> bool {
-    seen.at.distance(end.at) <= 0.10 + 3.0 * end.range * scan.angle_increment
+    seen.at.distance_from(end.at) <= 0.10 + 3.0 * end.range * scan.angle_increment
 }
 
 /// Whether the surface goes on at the next beam, only bent a little or too thinly sampled to follow.
 fn goes_on(line: &LineFit, end: &Point, seen: &Point, expected: f64) -> bool {
     let on_line = line.offset_of(seen.at).abs() <= ON_THE_LINE + ON_THE_LINE_PER_RANGE * seen.range;
-    on_line && seen.at.distance(end.at) <= OPENING + 2.0 * (expected - end.range).abs()
+    on_line && seen.at.distance_from(end.at) <= OPENING + 2.0 * (expected - end.range).abs()
 }
 
 fn grazing(line: &LineFit, end: &Point) -> bool {
-    trig::asin(line.direction.dot(end.at.normalize_or_zero()).abs()) > GRAZING
+    trig::asin(line.direction.dot(end.at.unit_or_zero()).abs()) > GRAZING
 }
 
 /// How far a beam flies until it meets the line; `None` where it never does.

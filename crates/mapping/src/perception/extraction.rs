@@ -1,4 +1,4 @@
-use cogmap_geometry::{DVec2, LineFit, Segment, fit_line, trig};
+use cogmap_geometry::{DVec2, LineFit, Metric, Segment, fit_line, trig};
 use serde::{Deserialize, Serialize};
 
 use super::{
@@ -99,7 +99,7 @@ fn cut_at_gaps(points: &[Point], spacing: f64, params: &Extraction) -> Vec<Piece
     for (index, pair) in points.windows(2).enumerate() {
         let nearer = pair[0].range.min(pair[1].range);
         let allowed = params.gap + params.gap_beams * nearer * spacing;
-        if pair[0].at.distance(pair[1].at) > allowed {
+        if pair[0].at.distance_from(pair[1].at) > allowed {
             runs.push(Piece { from, to: index });
             from = index + 1;
         }
@@ -200,7 +200,7 @@ fn surface(scan: &Scan, points: &[Point], line: &(Piece, LineFit), extent: Exten
     let own = &points[piece.from..=piece.to];
     #[allow(clippy::cast_precision_loss, reason = "a scan has a few hundred points")]
     let range = own.iter().map(|p| p.range).sum::<f64>() / own.len() as f64;
-    let towards = extent.segment.midpoint().normalize_or_zero();
+    let towards = extent.segment.midpoint().unit_or_zero();
     Surface {
         segment: scan.robot_from_laser * extent.segment,
         ends: ends::kinds(scan, points, line, extent),

@@ -1,6 +1,6 @@
 use std::collections::BTreeSet;
 
-use cogmap_geometry::{DVec2, Pose, Segment, trig};
+use cogmap_geometry::{DVec2, Metric, Pose, Segment, trig};
 
 use super::{
     AsrId, Crossing, Exit, ExitId, Form, Now, Places,
@@ -113,7 +113,7 @@ impl Places {
     fn known_exit_at(&self, passage: Segment) -> Option<ExitId> {
         let near = self.exits_here().filter_map(|exit| {
             let segment = self.nearby.here_from(exit.frame)? * exit.segment;
-            let distance = segment.midpoint().distance(passage.midpoint());
+            let distance = segment.midpoint().distance_from(passage.midpoint());
             is_same_exit(segment, passage).then_some((distance, exit.id))
         });
         near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, exit)| exit)
@@ -174,7 +174,7 @@ impl Places {
 
 /// Whether two exits lie at the same place.
 pub(super) fn is_same_exit(one: Segment, other: Segment) -> bool {
-    one.midpoint().distance(other.midpoint()) <= SAME_EXIT && one.angle_to(other) <= SAME_TURN
+    one.midpoint().distance_from(other.midpoint()) <= SAME_EXIT && one.angle_to(other) <= SAME_TURN
 }
 
 /// The pose of an entrance: the origin in the exit's middle, x along the normal into the space entered.

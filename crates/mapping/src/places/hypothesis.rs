@@ -1,4 +1,4 @@
-use cogmap_geometry::{DVec2, Segment, trig};
+use cogmap_geometry::{DVec2, Metric, Segment, trig};
 use serde::{Deserialize, Serialize};
 
 use super::{ExitId, Now, Places};
@@ -59,7 +59,7 @@ fn gaps_of(view: &View, debris: f64, params: &Gaps) -> Vec<Segment> {
             let other = &surfaces[left];
             let gap = Segment::new(other.segment.a, wall.segment.b);
             let fits = (params.min_width..=params.max_width).contains(&gap.length())
-                && gap.midpoint().length() <= params.range;
+                && gap.midpoint().norm() <= params.range;
             let behind = surfaces[right + 1..left].iter().all(|seen| is_beyond(gap, seen.segment));
             let flush = turned_little(gap, wall.segment) || turned_little(gap, other.segment);
             if fits && behind && flush && other.length() >= debris && other.ends[0] == End::True {
@@ -108,7 +108,7 @@ impl Places {
     fn hypothesis_at(&self, segment: Segment) -> Option<usize> {
         let distance = |hypothesis: &Hypothesis| {
             let here_from_frame = self.nearby.here_from(hypothesis.frame)?;
-            Some((here_from_frame * hypothesis.segment.midpoint()).distance(segment.midpoint()))
+            Some((here_from_frame * hypothesis.segment.midpoint()).distance_from(segment.midpoint()))
         };
         let near = self.nearby.hypotheses.iter();
         near.filter_map(|&index| Some((index, distance(self.network.hypotheses().get(index)?)?)))

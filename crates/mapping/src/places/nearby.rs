@@ -1,6 +1,6 @@
 use std::collections::BTreeMap;
 
-use cogmap_geometry::{DVec2, Pose, Segment};
+use cogmap_geometry::{DVec2, Metric, Pose, Segment};
 
 use super::{ExitId, Network};
 use crate::memory::{FrameId, Mfis, SurfaceId, Way};
@@ -54,7 +54,7 @@ impl Nearby {
             self.ways = mfis.ways_from(frame, ALONG_LINKS);
             (self.frame, self.links) = (frame, mfis.links().len());
         }
-        if same_ways && self.centre.is_some_and(|centre| centre.distance(at) <= SLACK) {
+        if same_ways && self.centre.is_some_and(|centre| centre.distance_from(at) <= SLACK) {
             let added = placed.iter().filter_map(|&id| self.bring(mfis, id)).collect::<Vec<_>>();
             self.surfaces.extend(added);
         } else {

@@ -1,4 +1,4 @@
-use cogmap_geometry::{DVec2, Segment};
+use cogmap_geometry::{DVec2, Metric, Segment};
 use serde::{Deserialize, Serialize};
 
 use super::{AsrId, Network, sight};
@@ -56,12 +56,12 @@ pub(super) fn share_within(surfaces: &[Segment], hull: &[DVec2], tolerance: f64)
 pub(super) fn hull_of(network: &Network, mfis: &Mfis, asr: AsrId, around: f64) -> Vec<DVec2> {
     let mut points: Vec<DVec2> = Vec::new();
     for at in network.visits().places_in(asr) {
-        if points.last().is_none_or(|last| last.distance(at) >= PATH_SPACING) {
+        if points.last().is_none_or(|last| last.distance_from(at) >= PATH_SPACING) {
             points.push(at);
         }
     }
     let visited = points.clone();
-    let is_near = |point: &DVec2| visited.iter().any(|at| at.distance(*point) <= around);
+    let is_near = |point: &DVec2| visited.iter().any(|at| at.distance_from(*point) <= around);
     let surfaces = network.surfaces_of(asr).iter().filter_map(|&id| mfis.get(id));
     points.extend(surfaces.flat_map(|surface| sight::samples(mfis.in_map(surface))).filter(is_near));
     convex_hull(points)

@@ -1,4 +1,4 @@
-use cogmap_geometry::{DVec2, Segment};
+use cogmap_geometry::{DVec2, Metric, Segment};
 use serde::{Deserialize, Serialize};
 
 use super::{
@@ -172,8 +172,8 @@ pub(super) fn narrowest_near(chord: Segment, at: DVec2, near: &[Near], debris: f
             .filter(|surface| surface.length >= debris)
             .map(|surface| surface.segment.closest_point(other));
         points
-            .filter(|point| point.distance(jamb) <= JAMB_ERROR && (*point - at).dot(outward) > 0.0)
-            .min_by(|a, b| a.distance(other).total_cmp(&b.distance(other)))
+            .filter(|point| point.distance_from(jamb) <= JAMB_ERROR && (*point - at).dot(outward) > 0.0)
+            .min_by(|a, b| a.distance_from(other).total_cmp(&b.distance_from(other)))
             .unwrap_or(jamb)
     };
     let mut best = chord;

@@ -1,6 +1,6 @@
 use std::collections::VecDeque;
 
-use cogmap_geometry::{DVec2, Pose};
+use cogmap_geometry::{DVec2, Metric, Pose};
 
 use super::{
     nearby::Near,
@@ -83,10 +83,10 @@ impl Trail {
             self.last = Some(to);
             return Vec::new();
         };
-        let Some(direction) = (to - from).try_normalize() else { return Vec::new() };
+        let Some(direction) = (to - from).unit() else { return Vec::new() };
         let mut strides = Vec::new();
         let mut at = from;
-        while at.distance(to) >= SPACING {
+        while at.distance_from(to) >= SPACING {
             at += direction * SPACING;
             self.way += SPACING;
             strides.push(Stride { way: self.way, at, direction });

@@ -1,4 +1,4 @@
-use cogmap_geometry::{DVec2, Segment, normalize_angle, trig};
+use cogmap_geometry::{DVec2, Metric, Segment, normalize_angle, trig};
 use serde::{Deserialize, Serialize};
 
 use super::{Form, nearby::Near};
@@ -148,10 +148,10 @@ impl Profile {
                 continue;
             }
             if let Some(point) = nearest_between(local, centre + first, centre + last)
-                && point.length() < self.sides[side][bin].0
+                && point.norm() < self.sides[side][bin].0
             {
                 let at = self.at + axis * point.x + axis.perp() * point.y;
-                self.sides[side][bin] = (point.length(), at);
+                self.sides[side][bin] = (point.norm(), at);
             }
         }
     }
@@ -199,7 +199,7 @@ fn bearing(point: DVec2) -> f64 {
 fn nearest_between(line: Segment, first: f64, last: f64) -> Option<DVec2> {
     let foot = line.closest_point(DVec2::ZERO);
     let middle = (first + last) / 2.0;
-    if foot.length() < 1e-9 || normalize_angle(bearing(foot) - middle).abs() <= (last - first) / 2.0 + 1e-9 {
+    if foot.norm() < 1e-9 || normalize_angle(bearing(foot) - middle).abs() <= (last - first) / 2.0 + 1e-9 {
         return Some(foot);
     }
     let along = line.b - line.a;
@@ -210,7 +210,7 @@ fn nearest_between(line: Segment, first: f64, last: f64) -> Option<DVec2> {
         (range.is_finite() && range > 0.0).then(|| ray * range)
     };
     match (at(first), at(last)) {
-        (Some(a), Some(b)) => Some(if a.length() <= b.length() { a } else { b }),
+        (Some(a), Some(b)) => Some(if a.norm() <= b.norm() { a } else { b }),
         (a, b) => a.or(b),
     }
 }

@@ -1,4 +1,4 @@
-use cogmap_geometry::Pose;
+use cogmap_geometry::{Metric, Pose};
 use rand_core::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use serde::{Deserialize, Serialize};
@@ -76,7 +76,7 @@ impl Transform {
 
 /// The measured movement (turn, then travel) with both changed; to the side nothing is corrected.
 fn moved_by(measured: Pose, turn: f64, travel: f64) -> Pose {
-    let ahead = measured.position.try_normalize().unwrap_or(measured.forward());
+    let ahead = measured.position.unit().unwrap_or(measured.forward());
     let further = measured.position + ahead * travel;
     Pose::new(0.0, 0.0, turn) * Pose { position: further, heading: measured.heading }
 }

@@ -1,4 +1,4 @@
-use cogmap_geometry::{DVec2, Pose, trig};
+use cogmap_geometry::{DVec2, Metric, Pose, trig};
 use serde::{Deserialize, Serialize};
 
 use super::{
@@ -168,7 +168,7 @@ fn fit(view: &[Line], near: &Candidates, pose: Pose, step: Step, params: &Alignm
     let matched: f64 = view.iter().enumerate().map(covered).sum();
     let fraction = if total > 0.0 { matched / total } else { 0.0 };
     let open = step.open.filter(|_| step.rank == 2).map(|[x, y, _]| DVec2::new(x, y));
-    let open = open.filter(|open| open.length() > 0.5).map(DVec2::normalize_or_zero);
+    let open = open.filter(|open| open.norm() > 0.5).map(Metric::unit_or_zero);
     let matches = pairs.iter().map(Pair::as_match).collect();
     Fit { pose, matched, fraction, rank: step.rank, open, matches }
 }
@@ -273,7 +273,7 @@ impl Pair<'_> {
             let both = self.placed.ends[end] == End::True && self.known.ends[end] == End::True;
             let apart = self.placed.end(end) - self.known.end(end);
             let residual = self.known.along.dot(apart);
-            let same = residual.abs() <= params.end_gate && apart.length() <= params.end_gate + gate.distance;
+            let same = residual.abs() <= params.end_gate && apart.norm() <= params.end_gate + gate.distance;
             (both && same).then_some((end, residual))
         })
     }

@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use cogmap_geometry::{DVec2, Pose, trig};
+use cogmap_geometry::{DVec2, Metric, Pose, trig};
 use serde::{Deserialize, Serialize};
 
 use crate::perception::Scan;
@@ -103,7 +103,7 @@ impl Look {
         let (nearest, farthest) = beside
             .iter()
             .fold((f64::INFINITY, 0.0_f64), |(least, most), &range| (least.min(range), most.max(range)));
-        let range = point.length();
+        let range = point.norm();
         let margin = params.margin + params.margin_per_range * range;
         if nearest <= 0.0 || range > farthest + margin {
             Verdict::CannotTell

@@ -1,4 +1,4 @@
-use cogmap_geometry::trig;
+use cogmap_geometry::{Metric, trig};
 use serde::{Deserialize, Serialize};
 
 use super::{known::Known, line::Line};
@@ -41,7 +41,7 @@ pub(super) fn is_new(placed: &Line, known: &Known, params: &Novelty) -> bool {
         return cover < params.cover;
     }
     let beside = |other: &Line| {
-        let nearest = other.a.distance(placed.a).min(other.b().distance(placed.b()));
+        let nearest = other.a.distance_from(placed.a).min(other.b().distance_from(placed.b()));
         other.length < params.debris && nearest < params.debris_distance
     };
     cover < params.debris_cover && !known.all().any(beside)

@@ -1,4 +1,4 @@
-use cogmap_geometry::Pose;
+use cogmap_geometry::{Metric, Pose};
 
 use super::{
     Recognition, Relocation,
@@ -42,7 +42,7 @@ impl Recall {
     pub(super) fn carry(&mut self, moved: Pose) {
         for Hypothesis { place, .. } in &mut self.hypotheses {
             place.frame_from_robot = place.frame_from_robot * moved;
-            place.way += moved.position.length();
+            place.way += moved.position.norm();
         }
     }
 
@@ -109,10 +109,10 @@ impl Recall {
         let reach = radius_max + 2.0;
         let robot = frame_from_robot.position;
         // Most frames are too far off to be worth a turn of the pose.
-        let may_be_near = |way: &Way| way.here_from_frame.position.distance(robot) < reach + 1e-6;
+        let may_be_near = |way: &Way| way.here_from_frame.position.distance_from(robot) < reach + 1e-6;
         for &(old, way) in self.ways.all.iter().filter(|(_, way)| may_be_near(way)) {
             let old_from_robot = way.here_from_frame.inverse() * frame_from_robot;
-            let distance = old_from_robot.position.length();
+            let distance = old_from_robot.position.norm();
             let radius = (radius + drift * way.length).min(radius_max);
             let near = way.length > loop_length && distance < radius + 2.0;
             if near && nearest.is_none_or(|(.., least, _)| distance < least) {

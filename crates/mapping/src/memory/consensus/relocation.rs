@@ -1,6 +1,6 @@
 //! Where in an old place could the robot be, when it does not know at all?
 
-use cogmap_geometry::{DVec2, Pose, normalize_angle, trig};
+use cogmap_geometry::{DVec2, Metric, Pose, normalize_angle, trig};
 use serde::{Deserialize, Serialize};
 
 use super::{known::Known, line::Line, search};
@@ -116,7 +116,7 @@ pub(super) fn guesses(view: &[Line], known: &Known, params: &Relocation) -> Vec<
                     continue;
                 }
                 let pose = corner.frame_from_robot(&seen);
-                if pose.position.length() <= params.radius && corner.holds(&seen, pose, params) {
+                if pose.position.norm() <= params.radius && corner.holds(&seen, pose, params) {
                     guesses.push((search::beside(view, known, pose, (0.2, params.angle)), pose));
                 }
             }
@@ -135,7 +135,7 @@ pub(super) fn guesses(view: &[Line], known: &Known, params: &Relocation) -> Vec<
 /// Whether two poses are one place, but for errors.
 pub(super) fn same_place(first: Pose, second: Pose) -> bool {
     let apart = first.from_here(second);
-    apart.position.length() < 0.5 && apart.heading.abs() < 0.2
+    apart.position.norm() < 0.5 && apart.heading.abs() < 0.2
 }
 
 fn corners_of<'a>(view: &'a [Line], params: &Relocation) -> Vec<Corner<'a>> {

@@ -1,6 +1,6 @@
 use std::collections::BTreeMap;
 
-use cogmap_geometry::Pose;
+use cogmap_geometry::{Metric, Pose};
 use serde::{Deserialize, Serialize};
 
 use super::{
@@ -81,7 +81,7 @@ impl Surroundings {
         let looks = &mut self.stored_in(frame).looks;
         let alike = |other: &Look| {
             let apart = other.frame_from_laser.from_here(look.frame_from_laser);
-            apart.position.length() < LOOKS_APART && apart.heading.abs() < LOOKS_TURNED
+            apart.position.norm() < LOOKS_APART && apart.heading.abs() < LOOKS_TURNED
         };
         if looks.len() < LOOKS && !looks.iter().any(alike) {
             looks.push(look.clone());
@@ -99,8 +99,7 @@ impl Surroundings {
     /// The robot is in another frame now.
     pub(super) fn centre_on(&mut self, mfis: &Mfis, frame: FrameId, reach: &Reach) {
         self.ways = mfis.ways_from(frame, reach.along_links);
-        self.ways
-            .retain(|other, way| *other == frame || way.here_from_frame.position.length() <= reach.radius);
+        self.ways.retain(|other, way| *other == frame || way.here_from_frame.position.norm() <= reach.radius);
         self.lines = self.lines_along(&self.ways);
     }
 
@@ -111,7 +110,7 @@ impl Surroundings {
             .iter()
             .filter(|(frame, _)| **frame != own)
             .map(|(&frame, way)| {
-                let distance = way.here_from_frame.position.distance(here_from_robot.position);
+                let distance = way.here_from_frame.position.distance_from(here_from_robot.position);
                 (frame, way.here_from_frame, distance)
             })
             .min_by(|a, b| a.2.total_cmp(&b.2))
@@ -121,7 +120,7 @@ impl Surroundings {
     pub(super) fn elsewhere(&self, mfis: &Mfis, frame: FrameId, along_links: f64, radius: f64) -> Elsewhere {
         let mut ways = mfis.ways_from(frame, along_links);
         ways.retain(|other, way| {
-            !self.ways.contains_key(other) && way.here_from_frame.position.length() <= radius
+            !self.ways.contains_key(other) && way.here_from_frame.position.norm() <= radius
         });
         let looks = self
             .each_along(&ways)
@@ -147,7 +146,7 @@ impl Elsewhere {
     /// How far a look from there bears out what was seen free around there.
     pub(super) fn agreement(&self, look: &Look, params: &FreeSpace) -> Agreement {
         let at = look.frame_from_laser.position;
-        let near = |other: &&Look| other.frame_from_laser.position.distance(at) <= LOOKS_NEAR;
+        let near = |other: &&Look| other.frame_from_laser.position.distance_from(at) <= LOOKS_NEAR;
         self.looks.iter().filter(near).map(|other| other.agreement(look, params)).sum()
     }
 }

@@ -1,4 +1,4 @@
-use cogmap_geometry::{DVec2, Segment};
+use cogmap_geometry::{DVec2, Metric, Segment};
 
 /// Metres along the side of a cell, unless the space is so large that the cells would be too many.
 const CELL: f64 = 0.15;
@@ -51,7 +51,7 @@ impl Floor {
 
     /// Marks the cells around a point.
     pub(super) fn fill_around(&mut self, at: DVec2, radius: f64) {
-        self.mark([at - radius, at + radius], |cell| cell.distance(at) <= radius, |_| true);
+        self.mark([at - radius, at + radius], |cell| cell.distance_from(at) <= radius, |_| true);
     }
 
     fn mark(
@@ -164,7 +164,7 @@ impl Floor {
 /// A closed line without the corners that hardly matter (Douglas and Peucker).
 fn simplified(corners: &[DVec2], tolerance: f64) -> Vec<DVec2> {
     let Some(first) = corners.first() else { return Vec::new() };
-    let distance = |at: &usize| corners[*at].distance(*first);
+    let distance = |at: &usize| corners[*at].distance_from(*first);
     let far = (0..corners.len()).max_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0);
     let closed: Vec<DVec2> = corners[far..].iter().chain(&corners[..1]).copied().collect();
     let mut kept = Vec::new();
