@@ -11,7 +11,7 @@ use crate::memory::{FrameId, Mfis, Way};
 
 /// Loops are looked for in so many frames at most, the nearest along the links: memory for one's immediate
 /// surroundings has an end (§2.2.2), and a step must not cost more the larger the map is.
-const FRAMES: usize = 1000;
+const FRAMES: usize = 500;
 
 /// The hypotheses beside the first: one, or several while the robot is lost.
 #[derive(Clone, Debug, Default)]
