@@ -157,8 +157,15 @@ impl Mapper {
     /// place, and odometry since then. `None` before the first view.
     #[must_use]
     pub fn map_from_robot(&self, odom_from_robot: Pose) -> Option<Pose> {
-        let last = self.memory().path().last()?;
-        Some(self.mfis().place_of(last) * self.memory().moved_to(odom_from_robot)?)
+        let (frame, frame_from_robot) = self.frame_from_robot(odom_from_robot)?;
+        Some(self.mfis().map_from_frame(frame) * frame_from_robot)
+    }
+
+    /// The same in the local frame that the robot is in.
+    #[must_use]
+    pub fn frame_from_robot(&self, odom_from_robot: Pose) -> Option<(FrameId, Pose)> {
+        let last = self.path().last()?;
+        Some((last.frame, last.frame_from_robot * self.memory().moved_to(odom_from_robot)?))
     }
 }
 

@@ -1,0 +1,149 @@
+use cogmap_geometry::DVec2;
+use cogmap_mapping::{Mapper, perception::Reading};
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    Atlas, Belief, HomingEvent, HomingParams, Mode, MovementOption, RecommendedParams, RetraceParams,
+    Vigilance, recommended::Recommended, retrace::Retrace,
+};
+
+/// Which way of finding home, with every parameter that it uses.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "strategy", rename_all = "kebab-case")]
+pub enum StrategySetup {
+    /// Ours: plans through remembered and assumed free space.
+    Recommended(RecommendedParams),
+    /// The way out, backward: a baseline.
+    Retrace(RetraceParams),
+}
+
+impl StrategySetup {
+    /// The names that [`StrategySetup::named`] knows.
+    pub const NAMES: [&'static str; 2] = ["recommended", "retrace"];
+
+    /// The strategy of that name with its default parameters.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        match name {
+            "recommended" => Some(Self::Recommended(RecommendedParams::default())),
+            "retrace" => Some(Self::Retrace(RetraceParams::default())),
+            _ => None,
+        }
+    }
+
+    /// The name under which it is chosen.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Recommended(_) => "recommended",
+            Self::Retrace(_) => "retrace",
+        }
+    }
+}
+
+/// All that a strategy may go by when it decides.
+#[derive(Clone, Copy)]
+pub(crate) struct Situation<'a> {
+    pub(crate) belief: &'a Belief,
+    pub(crate) atlas: &'a Atlas,
+    pub(crate) mapper: &'a Mapper,
+    pub(crate) vigilance: &'a Vigilance,
+    pub(crate) params: &'a HomingParams,
+}
+
+impl Situation<'_> {
+    /// How far the robot may travel straight toward a point, metres, as far as the last scans go.
+    pub(crate) fn free_toward(&self, point: DVec2) -> f64 {
+        let robot_from_here = self.belief.here_from_robot.inverse();
+        let ahead = robot_from_here * point;
+        let turn = cogmap_geometry::trig::atan2(ahead.y, ahead.x);
+        self.vigilance.free_way(turn, ahead.length())
+    }
+}
+
+/// What a strategy wants; points are in the coordinates of the place where the robot is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Wish {
+    /// Go straight to a point.
+    GoTo(DVec2),
+    /// Turn to a bearing, radians, and look.
+    Face(f64),
+    /// Be done.
+    Arrive,
+    /// Wait for the user.
+    GiveUp,
+}
+
+/// A strategy's answer; [`Decision`](crate::Decision) says what the parts are.
+#[derive(Clone, Debug)]
+pub(crate) struct Proposal {
+    pub(crate) wish: Wish,
+    pub(crate) mode: Mode,
+    pub(crate) options: Vec<MovementOption>,
+    pub(crate) chosen: Option<usize>,
+    pub(crate) way: Vec<DVec2>,
+    pub(crate) waypoints: Vec<DVec2>,
+    pub(crate) why: String,
+    pub(crate) events: Vec<HomingEvent>,
+}
+
+impl Proposal {
+    pub(crate) fn new(wish: Wish, mode: Mode, why: String) -> Self {
+        Self {
+            wish,
+            mode,
+            options: Vec::new(),
+            chosen: None,
+            way: Vec::new(),
+            waypoints: Vec::new(),
+            why,
+            events: Vec::new(),
+        }
+    }
+
+    pub(crate) fn arrived(distance: f64) -> Self {
+        let why = format!("home is believed to be {distance:.2} m away, which is near enough to stop");
+        Self::new(Wish::Arrive, Mode::Direction, why)
+    }
+}
+
+/// A strategy at work.
+#[derive(Clone, Debug)]
+pub(crate) enum Mind {
+    Recommended(Box<Recommended>),
+    Retrace(Retrace),
+}
+
+impl Mind {
+    pub(crate) fn new(setup: &StrategySetup, mapper: &Mapper) -> Self {
+        match setup {
+            StrategySetup::Recommended(params) => {
+                Self::Recommended(Box::new(Recommended::new(params, mapper)))
+            }
+            StrategySetup::Retrace(params) => Self::Retrace(Retrace::new(params, mapper)),
+        }
+    }
+
+    /// Takes a scan in, after the mapper did.
+    pub(crate) fn observe(&mut self, reading: &Reading, atlas: &Atlas, belief: &Belief) {
+        match self {
+            Self::Recommended(recommended) => recommended.observe(reading, atlas, belief),
+            Self::Retrace(_) => {}
+        }
+    }
+
+    pub(crate) fn decide(&mut self, situation: &Situation) -> Proposal {
+        match self {
+            Self::Recommended(recommended) => recommended.decide(situation),
+            Self::Retrace(retrace) => retrace.decide(situation),
+        }
+    }
+
+    /// How many stored surfaces it has stopped to trust at the command (§3.3.5).
+    pub(crate) fn dropped(&self) -> usize {
+        match self {
+            Self::Recommended(recommended) => recommended.dropped(),
+            Self::Retrace(_) => 0,
+        }
+    }
+}
