@@ -36,6 +36,7 @@ use self::{
     hypothesis::{Remembered, Rules, Sight},
     line::Line,
     look::{Agreement, Look},
+    lost::{Doubt, Habit},
     recall::Recall,
     surroundings::Surroundings,
 };
@@ -58,8 +59,8 @@ pub struct Consensus {
     frame_from_robot: Pose,
     frame_from_last_placing: Pose,
     steps_lost: u32,
-    /// Views in a row that cannot have been taken where the robot believes to be.
-    doubted: u32,
+    doubt: Doubt,
+    habit: Habit,
     /// What was seen free just before, in the robot's frame, oldest first.
     recent: VecDeque<Look>,
     surroundings: Surroundings,
@@ -77,7 +78,8 @@ impl Consensus {
             frame_from_robot: Pose::IDENTITY,
             frame_from_last_placing: Pose::IDENTITY,
             steps_lost: 0,
-            doubted: 0,
+            doubt: Doubt::default(),
+            habit: Habit::default(),
             recent: VecDeque::new(),
             surroundings: Surroundings::default(),
             recall: Recall::default(),
@@ -99,7 +101,7 @@ impl Consensus {
         let mut fit = moved.map(|moved| self.locate(sight, moved));
         let lost = self.notice_loss(sight, &mut fit);
         let (mut placed, mut recalled) = (Vec::new(), None);
-        let stored = self.doubted == 0 && (fit.is_none() || self.time_to_place());
+        let stored = self.doubt.views == 0 && (fit.is_none() || self.time_to_place());
         if stored {
             placed = self.place(&view, sight);
             recalled = self.recognise(sight);
@@ -109,22 +111,14 @@ impl Consensus {
         StepReport { stored, placed, recalled, lost, ..report }
     }
 
-    /// Begins where odometry puts the robot and lays the view onto what is remembered around there.
+    /// Lays the view onto what is remembered around where odometry puts the robot.
     fn locate(&mut self, sight: Sight<'_>, moved: Pose) -> Fit {
-        let predicted = self.frame_from_robot * moved;
+        self.frame_from_robot = self.frame_from_robot * moved;
         self.recall.carry(moved);
         let known = self.surroundings.lines();
         let contradiction = |pose| self.agreement(sight.look, pose).contradiction();
-        let start = (predicted, self.steps_lost);
-        let fit = search::locate(sight.lines, known, start, contradiction, &self.params);
-        if fit.fraction < self.params.search.lost_below {
-            self.frame_from_robot = predicted;
-            self.steps_lost += 1;
-        } else {
-            self.frame_from_robot = fit.pose;
-            self.steps_lost = 0;
-        }
-        fit
+        let start = (self.frame_from_robot, self.steps_lost);
+        search::locate(sight.lines, known, start, contradiction, &self.params)
     }
 
     /// How far a look bears out what was seen free just before.
@@ -133,34 +127,62 @@ impl Consensus {
         self.recent.iter().map(|recent| recent.agreement(&look, &self.params.free_space)).sum()
     }
 
-    /// A view that contradicts what was just seen was not taken where the robot believes to be. It is
-    /// not mapped; after some of them the robot knows that it was moved unseen, and begins a map that
-    /// has no link to the first.
-    fn notice_loss(&mut self, sight: Sight<'_>, fit: &mut Option<Fit>) -> Option<Lost> {
-        let Fit { fraction, .. } = *fit.as_ref()?;
-        let loss = &self.params.loss;
-        let look_closer = loss.on && (self.doubted > 0 || fraction < loss.fraction);
-        let agreement = if look_closer {
-            self.agreement(sight.look, self.frame_from_robot)
-        } else {
-            Agreement::default()
+    /// How far a view bears out the last one, at best, from where the robot can be: where it fits, or
+    /// where odometry puts it, or beside that.
+    fn overlap(&self, sight: Sight<'_>, fit: &Fit) -> Agreement {
+        let (loss, predicted) = (&self.params.loss, self.frame_from_robot);
+        let Some(last) = self.recent.back() else { return Agreement::default() };
+        let beside = || {
+            let known = self.surroundings.lines();
+            search::align_from(sight.lines, known, predicted, 0.0, &self.params.alignment).pose
         };
-        if !loss.doubts(fraction, agreement, self.doubted > 0) {
-            self.doubted = 0;
+        let places = [fit.pose, predicted].into_iter().chain(std::iter::once_with(beside));
+        let can_be = |at: &Pose| self.habit.allows(predicted.from_here(*at), self.doubt.views + 1, loss);
+        let mut least: Option<Agreement> = None;
+        for place in places.filter(can_be) {
+            let agreement = last.agreement(&sight.look.seen_from(place), &loss.free_space);
+            if least.is_none_or(|least| agreement.contradiction() < least.contradiction()) {
+                least = Some(agreement);
+            }
+            if !loss.doubts(agreement, self.doubt) {
+                return agreement;
+            }
+        }
+        least.unwrap_or_default()
+    }
+
+    /// Successive views overlap (§2.2.2). One that contradicts the last, wherever odometry can have
+    /// carried the robot meanwhile, was not taken near it: it places nothing, the robot included. After
+    /// some of them the robot knows that it was moved unseen, and begins a map that has no link to the
+    /// first.
+    fn notice_loss(&mut self, sight: Sight<'_>, fit: &mut Option<Fit>) -> Option<Lost> {
+        let found = fit.as_ref()?;
+        let loss = &self.params.loss;
+        let agreement = if loss.on { self.overlap(sight, found) } else { Agreement::default() };
+        let by = self.frame_from_robot.from_here(found.pose);
+        if !(loss.on && loss.doubts(agreement, self.doubt)) {
+            self.doubt = Doubt::default();
+            if found.fraction < self.params.search.lost_below {
+                self.steps_lost += 1;
+            } else {
+                self.habit.learn(by, loss);
+                (self.frame_from_robot, self.steps_lost) = (found.pose, 0);
+            }
             return None;
         }
-        self.doubted += 1;
-        if self.doubted < loss.views {
+        self.doubt.grow(agreement, loss);
+        if !loss.is_lost(self.doubt) {
             return None;
         }
+        let matched = found.fraction;
         let map_from_robot = self.memory.mfis().map_from_frame(self.frame) * self.frame_from_robot;
         let left = self.frame;
         let opened = self.memory.open_frame(map_from_robot);
         self.recent.clear();
         self.enter(opened, self.frame_from_robot);
         self.recall.lose(opened);
-        (self.doubted, self.steps_lost, *fit) = (0, 0, None);
-        Some(Lost { left, matched: fraction, contradiction: agreement.contradiction() })
+        (self.doubt, self.steps_lost, *fit) = (Doubt::default(), 0, None);
+        Some(Lost { left, matched, contradiction: agreement.contradiction() })
     }
 
     fn time_to_place(&self) -> bool {
@@ -250,7 +272,7 @@ impl Consensus {
         let placement = match &fit {
             None => Placement::First,
             Some(fit) if fit.fraction < self.params.search.lost_below => Placement::Odometry,
-            Some(_) if self.doubted > 0 => Placement::Odometry,
+            Some(_) if self.doubt.views > 0 => Placement::Odometry,
             Some(fit) if fit.rank < 3 => Placement::PartlyOdometry,
             Some(_) => Placement::Consensus,
         };
@@ -261,6 +283,7 @@ impl Consensus {
         let step = self.memory.remember(reading.t, here, reading.odom_from_robot);
         let report = StepReport::new((step, reading.t), view, placement, map_from_robot);
         let open = open.filter(|_| placement == Placement::PartlyOdometry);
+        let fit = fit.filter(|_| self.doubt.views == 0);
         StepReport { open, matches: fit.map_or(Vec::new(), |fit| fit.matches), ..report }
     }
 }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::perception::Scan;
 
-/// About how many beams of a scan are kept.
+/// About so many of a scan's beams are held against another scan …
 const BEAMS: usize = 90;
 
 /// When what two scans saw of free space contradicts itself.
@@ -31,9 +31,11 @@ pub(super) struct Look {
     pub(super) frame_from_laser: Pose,
     angle_min: f64,
     spacing: f64,
+    /// … each against all beams of that within the angle between two of them, as an index.
+    stride: usize,
     /// Metres; 0 where a beam saw nothing, which tells nothing.
     ranges: Arc<[f64]>,
-    /// Where the beams ended, in the laser's frame.
+    /// Where the beams ended that are held against others, in the laser's frame.
     points: Arc<[DVec2]>,
 }
 
@@ -53,16 +55,16 @@ enum Verdict {
 }
 
 impl Look {
-    #[allow(clippy::cast_precision_loss, reason = "a scan has a few hundred beams")]
     pub(super) fn of(scan: &Scan) -> Self {
         let stride = (scan.ranges.len() / BEAMS).max(1);
-        let beams = || (0..scan.ranges.len()).step_by(stride);
+        let beams = 0..scan.ranges.len();
         Self {
             frame_from_laser: scan.robot_from_laser,
             angle_min: scan.angle_min,
-            spacing: scan.angle_increment * stride as f64,
-            ranges: beams().map(|beam| scan.range(beam).unwrap_or(0.0)).collect(),
-            points: beams().filter_map(|beam| scan.point(beam)).collect(),
+            spacing: scan.angle_increment,
+            stride,
+            ranges: beams.clone().map(|beam| scan.range(beam).unwrap_or(0.0)).collect(),
+            points: beams.step_by(stride).filter_map(|beam| scan.point(beam)).collect(),
         }
     }
 
@@ -91,15 +93,17 @@ impl Look {
     /// What this look says of something seen there, in its laser's frame.
     #[allow(
         clippy::cast_possible_truncation,
+        clippy::cast_precision_loss,
         clippy::cast_sign_loss,
         reason = "checked to be within the scan"
     )]
     fn judge(&self, point: DVec2, params: &FreeSpace) -> Verdict {
         let beam = ((trig::atan2(point.y, point.x) - self.angle_min) / self.spacing).round();
-        if !(1.0..(self.ranges.len() as f64 - 1.0)).contains(&beam) {
+        let stride = self.stride as f64;
+        if !(stride..(self.ranges.len() as f64 - stride)).contains(&beam) {
             return Verdict::CannotTell;
         }
-        let beside = &self.ranges[beam as usize - 1..=beam as usize + 1];
+        let beside = &self.ranges[beam as usize - self.stride..=beam as usize + self.stride];
         let (nearest, farthest) = beside
             .iter()
             .fold((f64::INFINITY, 0.0_f64), |(least, most), &range| (least.min(range), most.max(range)));

@@ -92,7 +92,8 @@ fn worth(fit: &Fit, contradiction: f64) -> f64 {
     fit.matched * (1.0 - contradiction)
 }
 
-fn align_from(view: &[Line], known: &Known, start: Pose, slack: f64, params: &Alignment) -> Fit {
+/// Lays the view onto the remembered lines, beginning at `start` only.
+pub(super) fn align_from(view: &[Line], known: &Known, start: Pose, slack: f64, params: &Alignment) -> Fit {
     let (reach, angle) = (1.5 * params.gate + slack, 1.3 * params.gate_angle);
     let near = Candidates::around(view, known, start, reach, angle);
     align(view, &near, start, slack, params)
