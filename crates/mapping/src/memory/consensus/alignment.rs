@@ -284,3 +284,6 @@ impl Pair<'_> {
         Match { seen: self.placed.tag as usize, previous: None, known: SurfaceId(self.known.tag), fit }
     }
 }
+
+#[cfg(test)]
+mod tests;
