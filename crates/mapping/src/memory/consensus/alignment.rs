@@ -160,7 +160,11 @@ fn step(pairs: &[Pair<'_>], pose: &mut Pose, gate: Gate, params: &Alignment) -> 
 
 fn fit(view: &[Line], near: &Candidates, pose: Pose, step: Step, params: &Alignment) -> Fit {
     let gate = Gate { distance: params.gate_floor, angle: params.gate_angle_floor };
-    let pairs = pair_up(view, near, pose, gate, params);
+    let best = |(index, line)| {
+        let misfit = |pair: &Pair<'_>| pair.misfit(gate);
+        partners(line, pose, near.of(index), gate).min_by(|a, b| misfit(a).total_cmp(&misfit(b)))
+    };
+    let matches = view.iter().enumerate().filter_map(best).map(|pair| pair.as_match()).collect();
     let total: f64 = view.iter().map(|line| line.length).sum();
     let covered = |(index, line): (usize, &Line)| {
         line.seen_from(pose).covered_by(near.of(index), gate.distance, gate.angle)
@@ -169,7 +173,6 @@ fn fit(view: &[Line], near: &Candidates, pose: Pose, step: Step, params: &Alignm
     let fraction = if total > 0.0 { matched / total } else { 0.0 };
     let open = step.open.filter(|_| step.rank == 2).map(|[x, y, _]| DVec2::new(x, y));
     let open = open.filter(|open| open.norm() > 0.5).map(Metric::unit_or_zero);
-    let matches = pairs.iter().map(Pair::as_match).collect();
     Fit { pose, matched, fraction, rank: step.rank, open, matches }
 }
 
@@ -181,6 +184,8 @@ fn gate_of(iteration: usize, slack: f64, params: &Alignment) -> Gate {
     }
 }
 
+/// Every remembered line is held against every line of the view that it may be: a wall that was stored
+/// piece by piece is where all of its pieces have it, not where the one has it that the guess is nearest to.
 fn pair_up<'a>(
     view: &'a [Line],
     near: &'a Candidates,
@@ -188,34 +193,21 @@ fn pair_up<'a>(
     gate: Gate,
     params: &Alignment,
 ) -> Vec<Pair<'a>> {
-    let with_partner = |(index, line): (usize, &'a Line)| partner(line, pose, near.of(index), gate);
-    let pairs = view.iter().enumerate().filter_map(with_partner);
+    let pairs = view.iter().enumerate().flat_map(|(index, line)| partners(line, pose, near.of(index), gate));
     if params.all_references {
         return pairs.collect();
     }
     pairs.max_by(|a, b| (a.to - a.from).total_cmp(&(b.to - b.from))).into_iter().collect()
 }
 
-/// The remembered line that a line of the view fits best: near, parallel, and long beside it.
-fn partner<'a>(seen: &'a Line, pose: Pose, near: &'a [Line], gate: Gate) -> Option<Pair<'a>> {
+/// The remembered lines that a line of the view may be: near, parallel, and long enough beside it.
+fn partners<'a>(seen: &'a Line, pose: Pose, near: &'a [Line], gate: Gate) -> impl Iterator<Item = Pair<'a>> {
     let placed = seen.seen_from(pose);
-    let mut best: Option<(f64, Pair<'_>)> = None;
-    for known in near {
-        let turn = placed.turn_to(known);
-        if turn > gate.angle {
-            continue;
-        }
-        let Some((gap, from, to)) = placed.gap(known) else { continue };
-        let too_short = to - from < (0.3 * placed.length).min(0.3);
-        if gap > gate.distance || too_short {
-            continue;
-        }
-        let misfit = (gap / gate.distance + turn / gate.angle + 0.2) / (to - from).min(2.0);
-        if best.as_ref().is_none_or(|(least, _)| misfit < *least) {
-            best = Some((misfit, Pair { seen, placed, known, from, to }));
-        }
-    }
-    best.map(|(_, pair)| pair)
+    let least = (0.3 * placed.length).min(0.3);
+    near.iter().filter(move |known| placed.turn_to(known) <= gate.angle).filter_map(move |known| {
+        let (gap, from, to) = placed.gap(known)?;
+        (gap <= gate.distance && to - from >= least).then_some(Pair { seen, placed, known, from, to })
+    })
 }
 
 fn gather(pairs: &[Pair<'_>], pose: Pose, gate: Gate, params: &Alignment) -> Information {
@@ -278,6 +270,13 @@ impl Pair<'_> {
         })
     }
 
+    /// How badly the two fit, the longer beside each other the less.
+    fn misfit(&self, gate: Gate) -> f64 {
+        let gap = [self.from, self.to].map(|at| self.known.across(self.placed.point(at)).abs());
+        let turn = self.placed.turn_to(self.known);
+        (gap[0].max(gap[1]) / gate.distance + turn / gate.angle + 0.2) / (self.to - self.from).min(2.0)
+    }
+
     fn as_match(&self) -> Match {
         let [d1, d2] = [self.from, self.to].map(|at| self.known.across(self.placed.point(at)).abs());
         let phi = self.placed.turn_to(self.known);
@@ -285,3 +284,6 @@ impl Pair<'_> {
         Match { seen: self.placed.tag as usize, previous: None, known: SurfaceId(self.known.tag), fit }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -24,7 +24,7 @@ pub struct Novelty {
 impl Default for Novelty {
     fn default() -> Self {
         Self {
-            cover: 0.6,
+            cover: 0.8,
             distance: 0.2,
             angle: 8.0 * trig::PI / 180.0,
             debris: 0.4,

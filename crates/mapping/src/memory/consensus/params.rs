@@ -37,7 +37,7 @@ pub struct ConsensusParams {
 impl Default for ConsensusParams {
     fn default() -> Self {
         Self {
-            extraction: Extraction::default(),
+            extraction: Extraction::fine(),
             alignment: Alignment::default(),
             search: Search::default(),
             reach: Reach::default(),

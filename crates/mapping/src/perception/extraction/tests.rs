@@ -153,3 +153,18 @@ fn a_corridor_ends_at_the_sensors_limit() {
         assert!(surface.length() > 5.5 && surface.length() < 8.0);
     }
 }
+
+#[test]
+fn only_fine_extraction_keeps_a_niche_from_turning_its_wall() {
+    let outline =
+        [(0.0, 1.0), (1.5, 1.0), (1.5, 1.12), (2.9, 1.12), (2.9, 1.0), (4.3, 1.0), (4.3, 1.12), (5.7, 1.12)];
+    let corners = outline.map(DVec2::from);
+    let walls: Vec<Segment> = corners.windows(2).map(|ends| Segment::new(ends[0], ends[1])).collect();
+    let most_askew = |params: &Extraction| {
+        let view = extract(&scan_of(&walls, Pose::IDENTITY, 8.19), params);
+        let long = view.surfaces.iter().filter(|surface| surface.length() > 0.5);
+        long.map(|surface| surface.segment.angle_to(walls[0]).to_degrees()).fold(0.0, f64::max)
+    };
+    let (coarse, fine) = (most_askew(&Extraction::default()), most_askew(&Extraction::fine()));
+    assert!(coarse > 1.0 && fine < 0.5, "{coarse}° and {fine}°");
+}
