@@ -37,7 +37,8 @@ pub enum Ending<'a> {
 }
 
 impl Session {
-    /// The last way home up to now; `None` where the robot was never told to go home.
+    /// The last way home up to now; `None` where the robot was never told to go home. The shortest way is
+    /// searched for anew at each call.
     #[must_use]
     pub fn way_home(&self) -> Option<WayHome<'_>> {
         let (world, here) = (self.world()?, self.world_from_robot()?.position);

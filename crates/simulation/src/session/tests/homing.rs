@@ -125,3 +125,21 @@ fn a_robot_that_is_told_while_it_drives_comes_to_rest_and_looks_first() {
     assert_eq!(way.ending, Some(Ending::Home));
     assert!(way.distance < 0.5 && way.way_home < 1.3 * way.shortest.unwrap(), "{way:?}");
 }
+
+#[test]
+fn a_robot_that_would_wait_for_ever_gives_up_in_the_end() {
+    let mut session = Session::drive(record()).unwrap();
+    session.command(Command::Step { turn: 0.0, travel: 2.0 });
+    run_to_rest(&mut session);
+    let patient = r#"{"strategy": "retrace", "patience": 1000000}"#;
+    session.command(Command::GoHome { strategy: serde_json::from_str(patient).unwrap() });
+    session.advance();
+    let behind = WorldChange::AddBox { center: [1.9, 2.0], size: [0.3, 3.0], heading_deg: 0.0 };
+    session.command(Command::Change(behind));
+    run_to_rest(&mut session);
+    let way = session.way_home().unwrap();
+    assert!(matches!(way.ending, Some(Ending::Stuck(why)) if why.contains("decisions")), "{way:?}");
+    assert!((200..300).contains(&way.decisions.len()), "{}", way.decisions.len());
+    assert_eq!(session.journal().mappers[0].collisions().count(), 0);
+    assert!(session.time() > 90.0, "it waits half a second before it looks again");
+}
