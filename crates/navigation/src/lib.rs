@@ -9,16 +9,28 @@
 //! and it cannot name the simulation: the robot cannot peek at the truth.
 
 mod belief;
+mod dead_ends;
 mod decision;
+mod direction;
+mod failsafe;
+mod faithful;
 mod homing;
+mod options;
+mod recent;
 mod retrace;
 mod route;
 mod strategy;
+mod surroundings;
 mod vigilance;
 
 pub use belief::{Anchored, Atlas, Belief};
 pub use decision::{Act, Decision, HomingEvent, Mode, MovementOption};
+pub use direction::Straightest;
+pub use failsafe::FailsafeParams;
+pub use faithful::FaithfulParams;
 pub use homing::{Homing, HomingParams};
+pub use options::OptionsParams;
+pub use recent::ForgettingParams;
 pub use retrace::RetraceParams;
 pub use strategy::StrategySetup;
 pub use vigilance::{Vigilance, VigilanceParams};

@@ -1,5 +1,5 @@
-use cogmap_geometry::{DVec2, Pose, Segment};
-use cogmap_mapping::Mapper;
+use cogmap_geometry::{DVec2, Segment};
+use cogmap_mapping::{Mapper, PathPoint};
 
 use crate::{Anchored, Atlas};
 
@@ -16,19 +16,38 @@ impl Route {
     /// between two waypoints (Douglas and Peucker's rule).
     pub(crate) fn of(mapper: &Mapper, tolerance: f64) -> Self {
         let atlas = Atlas::of(mapper);
-        let path = mapper.path();
-        let kept: Vec<Anchored<Pose>> =
-            path.iter().map(|point| Anchored { frame: point.frame, value: point.frame_from_robot }).collect();
-        let seen: Vec<(usize, DVec2)> =
-            kept.iter().enumerate().filter_map(|(k, &pose)| Some((k, atlas.pose(pose)?.position))).collect();
+        Self::through(mapper, &path_of(mapper, &atlas), tolerance)
+    }
+
+    /// The same without its loops: where the path came back to within `same` metres of where it had been
+    /// before, what lies between is left out. From where the robot stands it leads back out of whatever was
+    /// tried since, and then home.
+    pub(crate) fn without_loops(mapper: &Mapper, tolerance: f64, same: f64) -> Self {
+        let atlas = Atlas::of(mapper);
+        let mut path = path_of(mapper, &atlas);
+        path.reverse();
+        let mut kept = Vec::new();
+        let mut next = 0;
+        while let Some(&(k, here)) = path.get(next) {
+            kept.push((k, here));
+            let again = path.iter().rposition(|&(_, there)| there.distance(here) <= same);
+            next = again.unwrap_or(next).max(next) + 1;
+        }
+        kept.extend(path.last().filter(|&home| kept.last() != Some(home)).copied());
+        kept.reverse();
+        Self::through(mapper, &kept, tolerance)
+    }
+
+    fn through(mapper: &Mapper, seen: &[(usize, DVec2)], tolerance: f64) -> Self {
         let mut chosen = Vec::new();
         if let (Some(&(first, _)), Some(&(last, _))) = (seen.first(), seen.last()) {
             chosen.push(first);
-            generalise(&seen, tolerance, &mut chosen);
+            generalise(seen, tolerance, &mut chosen);
             chosen.push(last);
         }
         chosen.dedup();
-        let at = |k: usize| Anchored { frame: kept[k].frame, value: kept[k].value.position };
+        let path = mapper.path();
+        let at = |k: usize| Anchored { frame: path[k].frame, value: path[k].frame_from_robot.position };
         Self { waypoints: chosen.into_iter().map(at).collect() }
     }
 
@@ -36,6 +55,15 @@ impl Route {
     pub(crate) fn seen_from(&self, atlas: &Atlas) -> Vec<DVec2> {
         self.waypoints.iter().filter_map(|&waypoint| atlas.point(waypoint)).collect()
     }
+}
+
+/// Where each view was taken, as it lies here; one to which no link leads is left out.
+fn path_of(mapper: &Mapper, atlas: &Atlas) -> Vec<(usize, DVec2)> {
+    let at = |point: &PathPoint| {
+        let kept = Anchored { frame: point.frame, value: point.frame_from_robot.position };
+        atlas.point(kept)
+    };
+    mapper.path().iter().enumerate().filter_map(|(k, point)| Some((k, at(point)?))).collect()
 }
 
 /// Adds the views between the first and the last that the line between them misses, in order.

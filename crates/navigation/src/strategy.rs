@@ -3,26 +3,30 @@ use cogmap_mapping::{Mapper, perception::Reading};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Atlas, Belief, HomingEvent, HomingParams, Mode, MovementOption, RetraceParams, Vigilance,
-    retrace::Retrace,
+    Atlas, Belief, FaithfulParams, HomingEvent, HomingParams, Mode, MovementOption, RetraceParams, Vigilance,
+    faithful::Faithful, retrace::Retrace,
 };
 
 /// Which way of finding home, with every parameter that it uses.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "strategy", rename_all = "kebab-case")]
+#[allow(clippy::large_enum_variant, reason = "there is one a way home")]
 pub enum StrategySetup {
+    /// The thesis to the letter (§3.3).
+    Faithful(FaithfulParams),
     /// The way out, backward: a baseline.
     Retrace(RetraceParams),
 }
 
 impl StrategySetup {
     /// The names that [`StrategySetup::named`] knows.
-    pub const NAMES: [&'static str; 1] = ["retrace"];
+    pub const NAMES: [&'static str; 2] = ["faithful", "retrace"];
 
     /// The strategy of that name with its default parameters.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         match name {
+            "faithful" => Some(Self::Faithful(FaithfulParams::default())),
             "retrace" => Some(Self::Retrace(RetraceParams::default())),
             _ => None,
         }
@@ -32,6 +36,7 @@ impl StrategySetup {
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
+            Self::Faithful(_) => "faithful",
             Self::Retrace(_) => "retrace",
         }
     }
@@ -54,6 +59,11 @@ impl Situation<'_> {
         let ahead = robot_from_here * point;
         let turn = cogmap_geometry::trig::atan2(ahead.y, ahead.x);
         self.vigilance.free_way(turn, ahead.length())
+    }
+
+    /// A point of the place where the robot is, in the map.
+    pub(crate) fn in_map(&self, point: DVec2) -> DVec2 {
+        self.mapper.mfis().map_from_frame(self.belief.here) * point
     }
 }
 
@@ -105,26 +115,31 @@ impl Proposal {
 
 /// A strategy at work.
 #[derive(Clone, Debug)]
+#[allow(clippy::large_enum_variant, reason = "there is one a way home")]
 pub(crate) enum Mind {
+    Faithful(Faithful),
     Retrace(Retrace),
 }
 
 impl Mind {
-    pub(crate) fn new(setup: &StrategySetup, mapper: &Mapper) -> Self {
+    pub(crate) fn new(setup: &StrategySetup, mapper: &Mapper, atlas: &Atlas) -> Self {
         match setup {
+            StrategySetup::Faithful(params) => Self::Faithful(Faithful::new(params, mapper, atlas)),
             StrategySetup::Retrace(params) => Self::Retrace(Retrace::new(params, mapper)),
         }
     }
 
     /// Takes a scan in, after the mapper did.
-    pub(crate) fn observe(&mut self, _reading: &Reading, _atlas: &Atlas, _belief: &Belief) {
+    pub(crate) fn observe(&mut self, reading: &Reading, mapper: &Mapper, atlas: &Atlas, belief: &Belief) {
         match self {
+            Self::Faithful(faithful) => faithful.observe(reading, mapper, atlas, belief),
             Self::Retrace(_) => {}
         }
     }
 
     pub(crate) fn decide(&mut self, situation: &Situation) -> Proposal {
         match self {
+            Self::Faithful(faithful) => faithful.decide(situation),
             Self::Retrace(retrace) => retrace.decide(situation),
         }
     }
@@ -132,6 +147,7 @@ impl Mind {
     /// How many stored surfaces it has stopped to trust at the command (§3.3.5).
     pub(crate) fn dropped(&self) -> usize {
         match self {
+            Self::Faithful(faithful) => faithful.dropped(),
             Self::Retrace(_) => 0,
         }
     }

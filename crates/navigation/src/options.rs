@@ -1,0 +1,131 @@
+use cogmap_geometry::{DVec2, Segment, trig};
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    MovementOption,
+    direction::{Straightest, detour},
+    surroundings::{Fan, Surroundings, Sweep},
+};
+
+/// How movement options are found (§3.3.2).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct OptionsParams {
+    /// The farthest end of an option, metres: what one can see.
+    pub sight: f64,
+    /// Where the free way gets longer or shorter by more than this from one direction to the next, one
+    /// opening ends and another begins, metres.
+    pub edge: f64,
+    /// Wide openings count as several options, one each so many radians.
+    pub width: f64,
+    /// Half the width that the assumed part of the way needs, metres: the robot, without a margin.
+    pub half_width: f64,
+    /// So near to the target the assumed part is not looked at: only its rough place is known, metres.
+    pub rough: f64,
+    /// Of two options that end nearer to each other than this only the better counts, metres.
+    pub apart: f64,
+    /// Ends are tried this far apart along a direction, metres.
+    pub spacing: f64,
+}
+
+impl Default for OptionsParams {
+    fn default() -> Self {
+        Self {
+            sight: 8.0,
+            edge: 0.5,
+            width: 20.0 * trig::PI / 180.0,
+            half_width: 0.25,
+            rough: 0.5,
+            apart: 1.0,
+            spacing: 0.5,
+        }
+    }
+}
+
+/// What options are looked for with.
+pub(crate) struct Search<'a> {
+    pub(crate) params: &'a OptionsParams,
+    pub(crate) straightest: Straightest,
+    pub(crate) surroundings: &'a Surroundings,
+    pub(crate) sweep: Sweep,
+    /// How far the last scans leave a direction free, metres.
+    pub(crate) watch: &'a dyn Fn(DVec2, f64) -> f64,
+    /// Whether a way is not for choice although it is free.
+    pub(crate) barred: &'a dyn Fn(&[DVec2]) -> bool,
+}
+
+impl Search<'_> {
+    /// The openings through which the robot fits (§3.3.2, Fig. 3.25): each option is a straight way that is
+    /// seen to be free up to its end, and from there a straight line to the target that nothing crosses
+    /// which the robot still trusts. Counter-clockwise.
+    pub(crate) fn toward(&self, target: DVec2, robot: DVec2) -> Vec<MovementOption> {
+        let fan = Fan::of(self.surroundings, robot, self.sweep);
+        let mut directions: Vec<usize> = fan
+            .openings(self.params.edge)
+            .into_iter()
+            .flat_map(|opening| fan.directions_in(opening, self.params.width))
+            .collect();
+        directions.push(fan.toward(target - robot));
+        directions.sort_unstable();
+        directions.dedup();
+        let options = directions.into_iter().filter_map(|k| {
+            let direction = fan.direction(k);
+            let reach = fan.reach(k).min((self.watch)(direction, fan.reach(k)));
+            self.best_end(robot, direction * reach, target)
+        });
+        self.few(options.collect(), robot)
+    }
+
+    /// The best end of an option along a free way.
+    fn best_end(&self, robot: DVec2, free: DVec2, target: DVec2) -> Option<MovementOption> {
+        let reach = free.length();
+        let between = (1..).map(|k| f64::from(k) * self.params.spacing).take_while(|&s| s < reach);
+        let beside = free.dot(target - robot) / reach.max(f64::MIN_POSITIVE);
+        let ends = between.chain([reach]).chain((beside > 0.0 && beside < reach).then_some(beside));
+        let ends = ends.filter(|&length| length >= self.params.spacing.min(robot.distance(target)));
+        let options = ends.filter_map(|length| {
+            let end = robot + free * (length / reach);
+            self.assumed_free(end, target).then(|| MovementOption {
+                end,
+                detour: detour(robot, end, target),
+                score: self.straightest.score(robot, end, target),
+                barred: (self.barred)(&[robot, end, target]),
+            })
+        });
+        options.min_by(|a, b| {
+            (a.barred, a.score).partial_cmp(&(b.barred, b.score)).unwrap_or(std::cmp::Ordering::Equal)
+        })
+    }
+
+    /// Whether the guess that the way goes straight on to the target contradicts nothing that is trusted.
+    fn assumed_free(&self, end: DVec2, target: DVec2) -> bool {
+        let way = assumed(end, target, self.params.rough);
+        way.is_none_or(|way| self.surroundings.leave_free(way, self.params.half_width))
+    }
+
+    /// A limited number of options: of those whose ends lie close together, the best.
+    fn few(&self, mut options: Vec<MovementOption>, robot: DVec2) -> Vec<MovementOption> {
+        options.sort_by(|a, b| a.score.total_cmp(&b.score));
+        let mut kept: Vec<MovementOption> = Vec::new();
+        for option in options {
+            let same = |other: &MovementOption| {
+                other.barred == option.barred && other.end.distance(option.end) < self.params.apart
+            };
+            if !kept.iter().any(same) {
+                kept.push(option);
+            }
+        }
+        let bearing = |option: &MovementOption| {
+            let seen = option.end - robot;
+            trig::atan2(seen.y, seen.x)
+        };
+        kept.sort_by(|a, b| bearing(a).total_cmp(&bearing(b)));
+        kept
+    }
+}
+
+/// The assumed part of a way but for its last stretch; `None` where nothing is left of it.
+pub(crate) fn assumed(end: DVec2, target: DVec2, rough: f64) -> Option<Segment> {
+    let length = end.distance(target);
+    (length > rough).then(|| Segment::new(end, end.lerp(target, 1.0 - rough / length)))
+}
