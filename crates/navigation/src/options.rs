@@ -24,6 +24,8 @@ pub struct OptionsParams {
     pub rough: f64,
     /// Of two options that end nearer to each other than this only the better counts, metres.
     pub apart: f64,
+    /// Ends in one direction whose scores differ by no more than this are equally good.
+    pub alike: f64,
     /// Ends are tried this far apart along a direction, metres.
     pub spacing: f64,
 }
@@ -37,6 +39,7 @@ impl Default for OptionsParams {
             half_width: 0.25,
             rough: 0.5,
             apart: 1.0,
+            alike: 0.01,
             spacing: 0.5,
         }
     }
@@ -92,9 +95,16 @@ impl Search<'_> {
                 barred: (self.barred)(&[robot, end, target]),
             })
         });
-        options.min_by(|a, b| {
-            (a.barred, a.score).partial_cmp(&(b.barred, b.score)).unwrap_or(std::cmp::Ordering::Equal)
-        })
+        options.reduce(|best, next| if self.better(&next, &best, robot) { next } else { best })
+    }
+
+    /// Whether an end beats another in the same direction; of ends that are equally good the farther one.
+    fn better(&self, one: &MovementOption, other: &MovementOption, robot: DVec2) -> bool {
+        if one.barred != other.barred {
+            return other.barred;
+        }
+        let alike = (one.score - other.score).abs() <= self.params.alike;
+        if alike { robot.distance(one.end) > robot.distance(other.end) } else { one.score < other.score }
     }
 
     /// Whether the guess that the way goes straight on to the target contradicts nothing that is trusted.

@@ -17,8 +17,13 @@ pub(crate) struct Surroundings {
 impl Surroundings {
     /// Whether a disc can travel along a line without touching anything.
     pub(crate) fn leave_free(&self, way: Segment, radius: f64) -> bool {
-        self.points.iter().all(|&point| way.distance_to(point) >= radius)
-            && self.surfaces.iter().all(|&surface| between(surface, way) >= radius)
+        let (low, high) = (way.a.min(way.b) - radius, way.a.max(way.b) + radius);
+        let beside = |least: DVec2, most: DVec2| most.cmplt(low).any() || least.cmpgt(high).any();
+        let free = |surface: &Segment| {
+            beside(surface.a.min(surface.b), surface.a.max(surface.b)) || between(*surface, way) >= radius
+        };
+        self.points.iter().all(|&point| beside(point, point) || way.distance_to(point) >= radius)
+            && self.surfaces.iter().all(free)
     }
 
     /// Where a disc that travels along a line would first touch something.
