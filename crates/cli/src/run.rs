@@ -2,7 +2,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use cogmap_geometry::DVec2;
-use cogmap_mapping::{Event, MapperSetup};
+use cogmap_mapping::MapperSetup;
 use cogmap_simulation::{Driver, Robot, Session, SessionRecord, Source, World, random_route};
 
 use crate::arguments::{DEFAULT_MAPPER, RunArguments};
@@ -164,12 +164,10 @@ fn failure_of(session: &Session, route: &[DVec2]) -> Result<(), Failure> {
     let (Some(pose), Some(goal)) = (session.world_from_robot(), route.last()) else { return Ok(()) };
     let at = |point: DVec2| format!("[{:.2}, {:.2}]", point.x, point.y);
     let way_out = "the files show how it came there; move the route, or what stands in its way";
-    let events = session.journal().mappers.first().map_or(&[][..], |mapper| &mapper.events);
-    if let Some(place) = events.iter().find_map(|(_, event)| match event {
-        Event::Collision { position } => Some(DVec2::from(*position)),
-        _ => None,
-    }) {
-        return Err(Failure::run(format!("the robot drove into something at {}", at(place))).help(way_out));
+    let hit = session.journal().mappers.first().and_then(|mapper| mapper.collisions().next());
+    if let Some(place) = hit {
+        let message = format!("the robot drove into something at {}", at(place.into()));
+        return Err(Failure::run(message).help(way_out));
     }
     let distance = pose.position.distance(*goal);
     if distance > ARRIVED {

@@ -11,7 +11,7 @@ use crate::{
     options::{Search, assumed},
     recent::Recent,
     strategy::{Proposal, Situation, Wish},
-    surroundings::{Surroundings, Sweep},
+    surroundings::Surroundings,
 };
 
 /// What [`StrategySetup::Faithful`](crate::StrategySetup::Faithful) goes by; the defaults are the thesis's
@@ -126,14 +126,15 @@ impl Faithful {
         situation: &Situation,
     ) -> Vec<MovementOption> {
         let robot = situation.belief.here_from_robot.position;
-        let watch = &situation.params.vigilance;
-        let sweep = Sweep { radius: watch.half_width, gap: watch.gap, sight: self.params.options.sight };
+        let step = situation.params.step_max;
         let search = Search {
             params: &self.params.options,
             straightest: self.params.straightest,
             surroundings,
-            sweep,
-            watch: &|direction, reach| situation.free_toward(robot + direction * reach),
+            watch: &|direction| {
+                let free = situation.free_toward(robot + direction * step);
+                (free < step).then_some(free)
+            },
             barred: &|way| self.dead_ends.bar(way, situation.atlas),
         };
         search.toward(target, robot)
@@ -152,7 +153,7 @@ impl Faithful {
             self.dead_ends.look_again(self.recent.view(), situation.belief.here_from_robot, atlas);
         }
         let end = self.trial.and_then(|end| atlas.point(end))?;
-        let radius = self.params.options.half_width;
+        let radius = self.params.options.assumed_half_width;
         let there = robot.distance(end) <= self.params.options.spacing;
         let seen = (!there).then(|| Segment::new(robot, end));
         let assumed = assumed(if there { robot } else { end }, home, self.params.options.rough);

@@ -18,8 +18,14 @@ pub struct OptionsParams {
     pub edge: f64,
     /// Wide openings count as several options, one each so many radians.
     pub width: f64,
-    /// Half the width that the assumed part of the way needs, metres: the robot, without a margin.
+    /// Half the width that the seen part of the way needs, the robot and a margin, metres.
     pub half_width: f64,
+    /// Half the width that the assumed part of the way needs, metres: the robot, without a margin.
+    pub assumed_half_width: f64,
+    /// What is kept between the robot and what is ahead of it, metres.
+    pub gap: f64,
+    /// A shorter option is none, metres.
+    pub shortest: f64,
     /// So near to the target the assumed part is not looked at: only its rough place is known, metres.
     pub rough: f64,
     /// Of two options that end nearer to each other than this only the better counts, metres.
@@ -36,7 +42,10 @@ impl Default for OptionsParams {
             sight: 8.0,
             edge: 0.5,
             width: 20.0 * trig::PI / 180.0,
-            half_width: 0.25,
+            half_width: 0.28,
+            assumed_half_width: 0.25,
+            gap: 0.05,
+            shortest: 0.1,
             rough: 0.5,
             apart: 1.0,
             alike: 0.01,
@@ -50,9 +59,9 @@ pub(crate) struct Search<'a> {
     pub(crate) params: &'a OptionsParams,
     pub(crate) straightest: Straightest,
     pub(crate) surroundings: &'a Surroundings,
-    pub(crate) sweep: Sweep,
-    /// How far the last scans leave a direction free, metres.
-    pub(crate) watch: &'a dyn Fn(DVec2, f64) -> f64,
+    /// How far the last scans let the robot go in a direction at once, metres; `None` where they do not
+    /// hold it up.
+    pub(crate) watch: &'a dyn Fn(DVec2) -> Option<f64>,
     /// Whether a way is not for choice although it is free.
     pub(crate) barred: &'a dyn Fn(&[DVec2]) -> bool,
 }
@@ -62,7 +71,8 @@ impl Search<'_> {
     /// seen to be free up to its end, and from there a straight line to the target that nothing crosses
     /// which the robot still trusts. Counter-clockwise.
     pub(crate) fn toward(&self, target: DVec2, robot: DVec2) -> Vec<MovementOption> {
-        let fan = Fan::of(self.surroundings, robot, self.sweep);
+        let OptionsParams { half_width: radius, gap, sight, .. } = *self.params;
+        let fan = Fan::of(self.surroundings, robot, Sweep { radius, gap, sight });
         let mut directions: Vec<usize> = fan
             .openings(self.params.edge)
             .into_iter()
@@ -73,7 +83,7 @@ impl Search<'_> {
         directions.dedup();
         let options = directions.into_iter().filter_map(|k| {
             let direction = fan.direction(k);
-            let reach = fan.reach(k).min((self.watch)(direction, fan.reach(k)));
+            let reach = (self.watch)(direction).map_or(fan.reach(k), |free| fan.reach(k).min(free));
             self.best_end(robot, direction * reach, target)
         });
         self.few(options.collect(), robot)
@@ -85,7 +95,7 @@ impl Search<'_> {
         let between = (1..).map(|k| f64::from(k) * self.params.spacing).take_while(|&s| s < reach);
         let beside = free.dot(target - robot) / reach.max(f64::MIN_POSITIVE);
         let ends = between.chain([reach]).chain((beside > 0.0 && beside < reach).then_some(beside));
-        let ends = ends.filter(|&length| length >= self.params.spacing.min(robot.distance(target)));
+        let ends = ends.filter(|&length| length >= self.params.shortest.min(robot.distance(target)));
         let options = ends.filter_map(|length| {
             let end = robot + free * (length / reach);
             self.assumed_free(end, target).then(|| MovementOption {
@@ -110,7 +120,7 @@ impl Search<'_> {
     /// Whether the guess that the way goes straight on to the target contradicts nothing that is trusted.
     fn assumed_free(&self, end: DVec2, target: DVec2) -> bool {
         let way = assumed(end, target, self.params.rough);
-        way.is_none_or(|way| self.surroundings.leave_free(way, self.params.half_width))
+        way.is_none_or(|way| self.surroundings.leave_free(way, self.params.assumed_half_width))
     }
 
     /// A limited number of options: of those whose ends lie close together, the best.

@@ -3,8 +3,8 @@ use cogmap_mapping::{Mapper, perception::Reading};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Atlas, Belief, FaithfulParams, HomingEvent, HomingParams, Mode, MovementOption, RetraceParams, Vigilance,
-    faithful::Faithful, retrace::Retrace,
+    Atlas, Belief, FaithfulParams, HomingEvent, HomingParams, Mode, MovementOption, RecommendedParams,
+    RetraceParams, Vigilance, faithful::Faithful, recommended::Recommended, retrace::Retrace,
 };
 
 /// Which way of finding home, with every parameter that it uses.
@@ -14,19 +14,22 @@ use crate::{
 pub enum StrategySetup {
     /// The thesis to the letter (§3.3).
     Faithful(FaithfulParams),
+    /// Ours: plans through remembered and assumed free space.
+    Recommended(RecommendedParams),
     /// The way out, backward: a baseline.
     Retrace(RetraceParams),
 }
 
 impl StrategySetup {
     /// The names that [`StrategySetup::named`] knows.
-    pub const NAMES: [&'static str; 2] = ["faithful", "retrace"];
+    pub const NAMES: [&'static str; 3] = ["faithful", "recommended", "retrace"];
 
     /// The strategy of that name with its default parameters.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         match name {
             "faithful" => Some(Self::Faithful(FaithfulParams::default())),
+            "recommended" => Some(Self::Recommended(RecommendedParams::default())),
             "retrace" => Some(Self::Retrace(RetraceParams::default())),
             _ => None,
         }
@@ -37,6 +40,7 @@ impl StrategySetup {
     pub fn name(&self) -> &'static str {
         match self {
             Self::Faithful(_) => "faithful",
+            Self::Recommended(_) => "recommended",
             Self::Retrace(_) => "retrace",
         }
     }
@@ -115,16 +119,19 @@ impl Proposal {
 
 /// A strategy at work.
 #[derive(Clone, Debug)]
-#[allow(clippy::large_enum_variant, reason = "there is one a way home")]
 pub(crate) enum Mind {
-    Faithful(Faithful),
+    Faithful(Box<Faithful>),
+    Recommended(Box<Recommended>),
     Retrace(Retrace),
 }
 
 impl Mind {
     pub(crate) fn new(setup: &StrategySetup, mapper: &Mapper, atlas: &Atlas) -> Self {
         match setup {
-            StrategySetup::Faithful(params) => Self::Faithful(Faithful::new(params, mapper, atlas)),
+            StrategySetup::Faithful(params) => Self::Faithful(Box::new(Faithful::new(params, mapper, atlas))),
+            StrategySetup::Recommended(params) => {
+                Self::Recommended(Box::new(Recommended::new(params, mapper)))
+            }
             StrategySetup::Retrace(params) => Self::Retrace(Retrace::new(params, mapper)),
         }
     }
@@ -133,6 +140,7 @@ impl Mind {
     pub(crate) fn observe(&mut self, reading: &Reading, mapper: &Mapper, atlas: &Atlas, belief: &Belief) {
         match self {
             Self::Faithful(faithful) => faithful.observe(reading, mapper, atlas, belief),
+            Self::Recommended(recommended) => recommended.observe(reading, atlas, belief),
             Self::Retrace(_) => {}
         }
     }
@@ -140,6 +148,7 @@ impl Mind {
     pub(crate) fn decide(&mut self, situation: &Situation) -> Proposal {
         match self {
             Self::Faithful(faithful) => faithful.decide(situation),
+            Self::Recommended(recommended) => recommended.decide(situation),
             Self::Retrace(retrace) => retrace.decide(situation),
         }
     }
@@ -148,6 +157,7 @@ impl Mind {
     pub(crate) fn dropped(&self) -> usize {
         match self {
             Self::Faithful(faithful) => faithful.dropped(),
+            Self::Recommended(recommended) => recommended.dropped(),
             Self::Retrace(_) => 0,
         }
     }

@@ -121,16 +121,12 @@ fn run(session: &Session) -> Run {
         duration,
         odometry_path_length: length(&odometry),
         path_length: truth,
-        collisions: session.journal().mappers.first().map_or(0, collisions),
+        collisions: session.journal().mappers.first().map_or(0, |mapper| mapper.collisions().count()),
     }
 }
 
-fn collisions(journal: &MapperJournal) -> usize {
-    journal.events.iter().filter(|(_, event)| matches!(event, Event::Collision { .. })).count()
-}
-
 fn loops_closed(journal: &MapperJournal) -> usize {
-    journal.events.iter().filter(|(_, event)| matches!(event, Event::LoopClosed { .. })).count()
+    journal.map_events().filter(|(_, event)| matches!(event, Event::LoopClosed { .. })).count()
 }
 
 fn length(poses: &[Stamped]) -> f64 {

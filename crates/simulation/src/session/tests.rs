@@ -1,7 +1,7 @@
 use cogmap_mapping::MapperSetup;
 
 use super::*;
-use crate::{Robot, World};
+use crate::{Robot, Strategy, World};
 
 fn cell() -> World {
     let text = r#"{ "format": "cogmap-world/1", "name": "Cell",
@@ -110,10 +110,7 @@ fn running_into_a_wall_is_told_once() {
     let mut session = Session::drive(record()).unwrap();
     session.command(Command::Step { turn: 0.0, travel: 9.0 });
     run_to_rest(&mut session);
-    let collisions = |s: &Session| {
-        s.journal().mappers[0].events.iter().filter(|(_, e)| matches!(e, Event::Collision { .. })).count()
-    };
-    assert_eq!(collisions(&session), 1);
+    assert_eq!(session.journal().mappers[0].collisions().count(), 1);
     let truth = session.world_from_robot().unwrap().position;
     assert!(truth.x < 5.76 && truth.x > 5.5, "{truth}");
 }
@@ -160,4 +157,44 @@ fn a_robot_that_is_moved_unseen_is_elsewhere_and_its_odometry_does_not_notice() 
     let mut again = Session::drive(session.record().clone()).unwrap();
     again.jump(session.position());
     assert_eq!(print(&session), print(&again));
+}
+
+/// A short way out, then home.
+fn homed(strategy: &str) -> Session {
+    let mut session = Session::drive(record()).unwrap();
+    for turn in [0.4, -0.3, 0.2] {
+        session.command(Command::Step { turn, travel: 0.7 });
+        run_to_rest(&mut session);
+    }
+    session.command(Command::GoHome { strategy: Strategy::named(strategy).unwrap() });
+    session
+}
+
+fn kinds(session: &Session) -> Vec<String> {
+    let events = session.journal().mappers[0].events.iter();
+    let not_map = events.filter(|(_, event)| !matches!(event, SessionEvent::Map(_)));
+    not_map
+        .map(|(_, event)| serde_json::to_value(event).unwrap()["kind"].as_str().unwrap().to_owned())
+        .collect()
+}
+
+#[test]
+fn every_strategy_takes_the_robot_home_across_a_room_and_replays_to_the_same_bits() {
+    for strategy in Strategy::names() {
+        let mut session = homed(strategy);
+        session.advance();
+        assert_eq!(session.homing().unwrap().strategy().name(), strategy);
+        run_to_rest(&mut session);
+        assert!(session.homing().is_none());
+        let truth = session.world_from_robot().unwrap();
+        assert!(truth.position.distance((1.0, 2.0).into()) < 0.5, "{strategy}: {}", truth.position);
+        let kinds = kinds(&session);
+        assert_eq!((kinds[0].as_str(), kinds.last().unwrap().as_str()), ("go_home", "home"), "{strategy}");
+        assert!(session.journal().decisions.len() >= 2, "{strategy}");
+        assert_eq!(session.record().commands().len(), 4, "its own orders are not commands");
+        let text = serde_json::to_string(session.record()).unwrap();
+        let mut again = Session::drive(serde_json::from_str(&text).unwrap()).unwrap();
+        again.jump(session.position());
+        assert_eq!(print(&session), print(&again));
+    }
 }
