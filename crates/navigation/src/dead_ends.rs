@@ -6,6 +6,8 @@ use crate::{Anchored, Atlas, surroundings::Surroundings};
 const FEELS: u32 = 20;
 /// Metres.
 const FEEL: f64 = 0.2;
+/// The cosine of 45°: a way that crosses a mark at more is another way.
+const ALIKE: f64 = 0.7;
 /// A mark so near and in view is looked at again, metres …
 const REVISIT: f64 = 4.0;
 /// … if it lies within this of straight ahead, radians.
@@ -19,14 +21,23 @@ const BEYOND: f64 = 0.5;
 /// what closed it was seen to be.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct DeadEnds {
-    marks: Vec<Anchored<Segment>>,
+    marks: Vec<Anchored<Mark>>,
+}
+
+/// A way that was tried and is closed.
+#[derive(Clone, Copy, Debug)]
+struct Mark {
+    /// The line across it, metres.
+    across: Segment,
+    /// The direction in which it was tried, a unit vector.
+    along: DVec2,
 }
 
 impl DeadEnds {
     /// Whether a way leads through a known dead end.
     pub(crate) fn bar(&self, way: &[DVec2], atlas: &Atlas) -> bool {
         let mut legs = way.windows(2).map(|ends| Segment::new(ends[0], ends[1]));
-        legs.any(|leg| self.here(atlas).any(|mark| mark.crossing(leg).is_some()))
+        legs.any(|leg| self.here(atlas).any(|mark| mark.bars(leg)))
     }
 
     /// Remembers that a way was found closed where a disc on it touches something; what is known of the
@@ -41,24 +52,35 @@ impl DeadEnds {
         };
         let [left, right] = [1.0, -1.0].map(|side| {
             let wide = (1..=FEELS).take_while(|&k| blocked(side, k)).last().unwrap_or(0);
-            front + across * (side * (FEEL * f64::from(wide) + radius))
+            front + across * (side * FEEL * f64::from(wide))
         });
-        self.marks.push(atlas.keep(Segment::new(left, right)));
+        self.marks.push(atlas.keep(Mark { across: Segment::new(left, right), along }));
     }
 
     /// New evidence: a mark that the present view sees through was wrong, or the way is open again.
     pub(crate) fn look_again(&mut self, view: &[DVec2], here_from_robot: Pose, atlas: &Atlas) {
         self.marks.retain(|&mark| {
             let Some(frame) = atlas.here_from(mark.frame) else { return true };
-            let seen = here_from_robot.inverse() * (frame * mark.value).midpoint();
+            let seen = here_from_robot.inverse() * (frame * mark.value.across).midpoint();
             let in_view = trig::atan2(seen.y, seen.x).abs() < IN_VIEW && seen.length() < REVISIT;
             let through = Segment::new(DVec2::ZERO, seen * (1.0 + BEYOND / seen.length().max(BEYOND)));
             !in_view || view.iter().any(|&point| through.distance_to(point) < FEEL)
         });
     }
 
-    fn here<'a>(&'a self, atlas: &'a Atlas) -> impl Iterator<Item = Segment> + 'a {
-        self.marks.iter().filter_map(|mark| Some(atlas.here_from(mark.frame)? * mark.value))
+    fn here<'a>(&'a self, atlas: &'a Atlas) -> impl Iterator<Item = Mark> + 'a {
+        self.marks.iter().filter_map(|mark| {
+            let frame = atlas.here_from(mark.frame)?;
+            Some(Mark { across: frame * mark.value.across, along: frame.rotate(mark.value.along) })
+        })
+    }
+}
+
+impl Mark {
+    /// Whether a leg crosses it in about the direction that was tried.
+    fn bars(self, leg: Segment) -> bool {
+        let alike = leg.direction().is_some_and(|direction| direction.dot(self.along) >= ALIKE);
+        alike && self.across.crossing(leg).is_some()
     }
 }
 

@@ -1,4 +1,4 @@
-use cogmap_geometry::{DVec2, Segment};
+use cogmap_geometry::{DVec2, Pose, Segment, normalize_angle, trig};
 use cogmap_mapping::{Mapper, perception::Reading};
 use serde::{Deserialize, Serialize};
 
@@ -33,6 +33,9 @@ pub struct FaithfulParams {
     /// Where no option is left and home is believed to be no farther than this, that is rough proximity
     /// and counts as home (§3.3.5), metres.
     pub rough_home: f64,
+    /// The robot turns by no more than this before it looks, radians: views that follow each other must
+    /// overlap for anything to be recognised (§2.2.2).
+    pub turn_max: f64,
 }
 
 impl Default for FaithfulParams {
@@ -44,6 +47,7 @@ impl Default for FaithfulParams {
             dead_ends: true,
             failsafe: FailsafeParams::default(),
             rough_home: 1.0,
+            turn_max: 60.0 * trig::PI / 180.0,
         }
     }
 }
@@ -101,10 +105,12 @@ impl Faithful {
             return Proposal::new(Wish::GiveUp, Mode::Direction, why.to_owned());
         };
         let trusted = self.surroundings(situation, 0);
-        let closed = self.judge_trial(&trusted, robot, home, situation);
+        self.dead_ends.look_again(self.recent.view(), situation.belief.here_from_robot, situation.atlas);
+        let closed = self.judge_trial(&trusted, home, situation);
         let options = self.options(&trusted, home, situation);
         let outlook = Outlook { robot, home, chosen: straightest(&options), options };
-        let mut events = Vec::from_iter(self.tell_dead_end(closed, &outlook, situation));
+        let mut events =
+            Vec::from_iter(closed.and_then(|closed| self.learn(closed, &outlook, &trusted, situation)));
         events.extend(self.switch(&outlook, situation));
         let mut proposal = match (&self.following, outlook.chosen) {
             (Some(_), _) => self.follow(&outlook, situation),
@@ -140,50 +146,41 @@ impl Faithful {
         search.toward(target, robot)
     }
 
-    /// Whether the option that was being tried has turned out closed; then it is remembered as tried.
-    fn judge_trial(
-        &mut self,
-        trusted: &Surroundings,
-        robot: DVec2,
-        home: DVec2,
-        situation: &Situation,
-    ) -> Option<DVec2> {
-        let atlas = situation.atlas;
-        if self.params.dead_ends {
-            self.dead_ends.look_again(self.recent.view(), situation.belief.here_from_robot, atlas);
-        }
-        let end = self.trial.and_then(|end| atlas.point(end))?;
-        let radius = self.params.options.assumed_half_width;
-        let there = robot.distance(end) <= self.params.options.spacing;
+    /// Where the option that was being tried has turned out closed, if it has.
+    fn judge_trial(&self, trusted: &Surroundings, home: DVec2, situation: &Situation) -> Option<Closed> {
+        let robot = situation.belief.here_from_robot.position;
+        let end = self.trial.and_then(|end| situation.atlas.point(end))?;
+        let OptionsParams { assumed_half_width: radius, rough, spacing, .. } = self.params.options;
+        let there = robot.distance(end) <= spacing;
         let seen = (!there).then(|| Segment::new(robot, end));
-        let assumed = assumed(if there { robot } else { end }, home, self.params.options.rough);
-        let (way, at) = [seen, assumed]
-            .into_iter()
-            .flatten()
-            .find_map(|way| Some((way, trusted.first_touch(way, radius)?)))?;
-        if self.params.dead_ends {
-            let closed = Closed { at, along: way.direction()?, radius };
-            self.dead_ends.remember(closed, trusted, atlas);
-        }
-        self.trial = None;
-        Some(end)
+        let guessed = assumed(if there { robot } else { end }, home, rough);
+        [seen, guessed].into_iter().flatten().find_map(|way| {
+            let at = trusted.first_touch(way, radius)?;
+            Some(Closed { at, along: way.direction()?, radius })
+        })
     }
 
-    /// A closed way is worth a line in the log where the robot has to turn away from it.
-    fn tell_dead_end(
+    /// An option that turned out closed so that the robot has to turn away from it is a dead end: it is
+    /// remembered as tried.
+    fn learn(
         &mut self,
-        closed: Option<DVec2>,
+        closed: Closed,
         outlook: &Outlook,
+        trusted: &Surroundings,
         situation: &Situation,
     ) -> Option<HomingEvent> {
-        let tried = closed? - outlook.robot;
-        let turned_away = outlook
-            .chosen
-            .is_none_or(|chosen| (outlook.options[chosen].end - outlook.robot).dot(tried) < 0.0);
-        turned_away.then(|| HomingEvent::DeadEnd {
-            position: situation.in_map(outlook.robot).into(),
-            why: "the way that seemed to lead home is closed, now that the robot sees it".to_owned(),
-        })
+        let tried = closed.at - outlook.robot;
+        self.trial = None;
+        let goes_on = |chosen: usize| (outlook.options[chosen].end - outlook.robot).dot(tried) > 0.0;
+        if outlook.chosen.is_some_and(goes_on) {
+            return None;
+        }
+        if self.params.dead_ends {
+            self.dead_ends.remember(closed, trusted, situation.atlas);
+        }
+        let position = situation.in_map(closed.at).into();
+        let why = "the way that seemed to lead home is closed, now that the robot sees it".to_owned();
+        Some(HomingEvent::DeadEnd { position, why })
     }
 
     /// Hands over to the remembered route and back (§3.3.4).
@@ -230,7 +227,7 @@ impl Faithful {
             options: outlook.options.len(),
             why: why.clone(),
         };
-        let mut proposal = Proposal::new(Wish::GoTo(option.end), Mode::Direction, why);
+        let mut proposal = Proposal::new(self.toward(option.end, situation), Mode::Direction, why);
         proposal.chosen = Some(chosen);
         proposal.way = vec![option.end, outlook.home];
         proposal.events.extend(other.then_some(event));
@@ -244,6 +241,9 @@ impl Faithful {
         let patience = self.patience.wear(outlook.robot, situation.atlas, params.nowhere);
         let worn_out = patience > 4 * params.patience.max(10);
         let Some(following) = &mut self.following else { return lost_route() };
+        if patience > params.patience.max(10) {
+            following.since = self.recent.scan();
+        }
         let waypoints = following.waypoints(outlook.robot, situation.atlas, params.passed);
         let Some(&next) = waypoints.last() else { return lost_route() };
         let fresh = following.since;
@@ -251,11 +251,22 @@ impl Faithful {
         let options = self.options_on_route(&fresh, next, situation);
         let end = straightest(&options).map_or(next, |best| options[best].end);
         let why = format!("the remembered route leads on over {} more waypoints", waypoints.len());
-        let wish = if worn_out { Wish::GiveUp } else { Wish::GoTo(end) };
+        let wish = if worn_out { Wish::GiveUp } else { self.toward(end, situation) };
         let why =
             if worn_out { "no way on, and the way that the robot came is blocked too".into() } else { why };
         let way = std::iter::once(end).chain(waypoints.iter().rev().copied()).collect();
         Proposal { way, waypoints, ..Proposal::new(wish, Mode::Route, why) }
+    }
+
+    /// Goes to a point, or first looks part of the way round to it.
+    fn toward(&self, point: DVec2, situation: &Situation) -> Wish {
+        let Pose { position, heading } = situation.belief.here_from_robot;
+        let ahead = point - position;
+        let turn = normalize_angle(trig::atan2(ahead.y, ahead.x) - heading);
+        if turn.abs() <= self.params.turn_max {
+            return Wish::GoTo(point);
+        }
+        Wish::Face(heading + self.params.turn_max.copysign(turn))
     }
 
     fn options_on_route(
