@@ -137,13 +137,15 @@ impl Faithful {
             params: &self.params.options,
             straightest: self.params.straightest,
             surroundings,
+            robot,
+            facing: situation.belief.here_from_robot.forward(),
             watch: &|direction| {
                 let free = situation.free_toward(robot + direction * step);
                 (free < step).then_some(free)
             },
             barred: &|way| self.dead_ends.bar(way, situation.atlas),
         };
-        search.toward(target, robot)
+        search.toward(target)
     }
 
     /// Where the option that was being tried has turned out closed, if it has.

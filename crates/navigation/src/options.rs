@@ -32,6 +32,10 @@ pub struct OptionsParams {
     pub apart: f64,
     /// Ends in one direction whose scores differ by no more than this are equally good.
     pub alike: f64,
+    /// So much worse in its score an option straight ahead may be and still be taken: the robot has just turned to it, and
+    /// what it saw on the way differs a little from what it had remembered. Ours: the thesis's robot turns
+    /// and travels in one, so it cannot turn to and fro without moving.
+    pub inertia: f64,
     /// Ends are tried this far apart along a direction, metres.
     pub spacing: f64,
 }
@@ -49,16 +53,24 @@ impl Default for OptionsParams {
             rough: 0.5,
             apart: 1.0,
             alike: 0.01,
+            inertia: 0.3,
             spacing: 0.5,
         }
     }
 }
+
+/// The cosine of 5°: straight ahead.
+const AHEAD: f64 = 0.996;
 
 /// What options are looked for with.
 pub(crate) struct Search<'a> {
     pub(crate) params: &'a OptionsParams,
     pub(crate) straightest: Straightest,
     pub(crate) surroundings: &'a Surroundings,
+    /// Where the robot is, metres …
+    pub(crate) robot: DVec2,
+    /// … and which way it faces, a unit vector.
+    pub(crate) facing: DVec2,
     /// How far the last scans let the robot go in a direction at once, metres; `None` where they do not
     /// hold it up.
     pub(crate) watch: &'a dyn Fn(DVec2) -> Option<f64>,
@@ -70,7 +82,8 @@ impl Search<'_> {
     /// The openings through which the robot fits (§3.3.2, Fig. 3.25): each option is a straight way that is
     /// seen to be free up to its end, and from there a straight line to the target that nothing crosses
     /// which the robot still trusts. Counter-clockwise.
-    pub(crate) fn toward(&self, target: DVec2, robot: DVec2) -> Vec<MovementOption> {
+    pub(crate) fn toward(&self, target: DVec2) -> Vec<MovementOption> {
+        let robot = self.robot;
         let OptionsParams { half_width: radius, gap, sight, .. } = *self.params;
         let fan = Fan::of(self.surroundings, robot, Sweep { radius, gap, sight });
         let mut directions: Vec<usize> = fan
@@ -78,20 +91,23 @@ impl Search<'_> {
             .into_iter()
             .flat_map(|opening| fan.directions_in(opening, self.params.width))
             .collect();
-        directions.push(fan.toward(target - robot));
+        directions.extend([fan.toward(target - robot), fan.toward(self.facing)]);
         directions.sort_unstable();
         directions.dedup();
         let options = directions.into_iter().filter_map(|k| {
             let direction = fan.direction(k);
             let reach = (self.watch)(direction).map_or(fan.reach(k), |free| fan.reach(k).min(free));
-            self.best_end(robot, direction * reach, target)
+            self.best_end(direction * reach, target)
         });
-        self.few(options.collect(), robot)
+        self.few(options.collect())
     }
 
     /// The best end of an option along a free way.
-    fn best_end(&self, robot: DVec2, free: DVec2, target: DVec2) -> Option<MovementOption> {
+    fn best_end(&self, free: DVec2, target: DVec2) -> Option<MovementOption> {
+        let (robot, reach) = (self.robot, free.length());
         let reach = free.length();
+        let ahead = free.dot(self.facing) > AHEAD * reach;
+        let bonus = if ahead { self.params.inertia } else { 0.0 };
         let between = (1..).map(|k| f64::from(k) * self.params.spacing).take_while(|&s| s < reach);
         let beside = free.dot(target - robot) / reach.max(f64::MIN_POSITIVE);
         let ends = between.chain([reach]).chain((beside > 0.0 && beside < reach).then_some(beside));
@@ -101,15 +117,16 @@ impl Search<'_> {
             self.assumed_free(end, target).then(|| MovementOption {
                 end,
                 detour: detour(robot, end, target),
-                score: self.straightest.score(robot, end, target),
+                score: self.straightest.score(robot, end, target) - bonus,
                 barred: (self.barred)(&[robot, end, target]),
             })
         });
-        options.reduce(|best, next| if self.better(&next, &best, robot) { next } else { best })
+        options.reduce(|best, next| if self.better(&next, &best) { next } else { best })
     }
 
     /// Whether an end beats another in the same direction; of ends that are equally good the farther one.
-    fn better(&self, one: &MovementOption, other: &MovementOption, robot: DVec2) -> bool {
+    fn better(&self, one: &MovementOption, other: &MovementOption) -> bool {
+        let robot = self.robot;
         if one.barred != other.barred {
             return other.barred;
         }
@@ -124,7 +141,7 @@ impl Search<'_> {
     }
 
     /// A limited number of options: of those whose ends lie close together, the best.
-    fn few(&self, mut options: Vec<MovementOption>, robot: DVec2) -> Vec<MovementOption> {
+    fn few(&self, mut options: Vec<MovementOption>) -> Vec<MovementOption> {
         options.sort_by(|a, b| a.score.total_cmp(&b.score));
         let mut kept: Vec<MovementOption> = Vec::new();
         for option in options {
@@ -136,7 +153,7 @@ impl Search<'_> {
             }
         }
         let bearing = |option: &MovementOption| {
-            let seen = option.end - robot;
+            let seen = option.end - self.robot;
             trig::atan2(seen.y, seen.x)
         };
         kept.sort_by(|a, b| bearing(a).total_cmp(&bearing(b)));
