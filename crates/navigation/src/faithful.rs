@@ -1,4 +1,4 @@
-use cogmap_geometry::{DVec2, Pose, Segment, normalize_angle, trig};
+use cogmap_geometry::{DVec2, Segment, trig};
 use cogmap_mapping::{Mapper, perception::Reading};
 use serde::{Deserialize, Serialize};
 
@@ -63,6 +63,8 @@ pub(crate) struct Faithful {
     patience: Patience,
     /// The end of the option that is being tried.
     trial: Option<Anchored<DVec2>>,
+    /// Whether it has just turned to that option and has not moved since.
+    turned: bool,
     dropped: usize,
 }
 
@@ -85,6 +87,7 @@ impl Faithful {
             following: None,
             patience: Patience::default(),
             trial: None,
+            turned: false,
             dropped,
         }
     }
@@ -118,11 +121,12 @@ impl Faithful {
             (None, None) => give_up_or_arrive(&outlook, self.params.rough_home),
         };
         events.append(&mut proposal.events);
+        self.turned = turns_to(proposal.wish, situation);
         Proposal { events, options: outlook.options, ..proposal }
     }
 
     fn surroundings(&self, situation: &Situation, since: usize) -> Surroundings {
-        self.recent.surroundings(since, situation.mapper, situation.atlas, situation.belief)
+        self.recent.surroundings(since, situation.mapper, situation.atlas)
     }
 
     fn options(
@@ -138,7 +142,7 @@ impl Faithful {
             straightest: self.params.straightest,
             surroundings,
             robot,
-            facing: situation.belief.here_from_robot.forward(),
+            facing: self.turned.then(|| situation.belief.here_from_robot.forward()),
             watch: &|direction| {
                 let free = situation.free_toward(robot + direction * step);
                 (free < step).then_some(free)
@@ -262,13 +266,11 @@ impl Faithful {
 
     /// Goes to a point, or first looks part of the way round to it.
     fn toward(&self, point: DVec2, situation: &Situation) -> Wish {
-        let Pose { position, heading } = situation.belief.here_from_robot;
-        let ahead = point - position;
-        let turn = normalize_angle(trig::atan2(ahead.y, ahead.x) - heading);
+        let turn = situation.turn_to(point);
         if turn.abs() <= self.params.turn_max {
             return Wish::GoTo(point);
         }
-        Wish::Face(heading + self.params.turn_max.copysign(turn))
+        Wish::Face(situation.belief.here_from_robot.heading + self.params.turn_max.copysign(turn))
     }
 
     fn options_on_route(
@@ -281,6 +283,12 @@ impl Faithful {
         options.iter_mut().for_each(|option| option.barred = false);
         options
     }
+}
+
+/// Whether a wish makes the robot turn to a point and look, before it goes there.
+fn turns_to(wish: Wish, situation: &Situation) -> bool {
+    let Wish::GoTo(point) = wish else { return false };
+    situation.turn_to(point).abs() > situation.params.look
 }
 
 fn lost_route() -> Proposal {

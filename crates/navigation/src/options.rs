@@ -69,8 +69,8 @@ pub(crate) struct Search<'a> {
     pub(crate) surroundings: &'a Surroundings,
     /// Where the robot is, metres …
     pub(crate) robot: DVec2,
-    /// … and which way it faces, a unit vector.
-    pub(crate) facing: DVec2,
+    /// … and which way it faces, a unit vector, if it has just turned that way.
+    pub(crate) facing: Option<DVec2>,
     /// How far the last scans let the robot go in a direction at once, metres; `None` where they do not
     /// hold it up.
     pub(crate) watch: &'a dyn Fn(DVec2) -> Option<f64>,
@@ -91,7 +91,7 @@ impl Search<'_> {
             .into_iter()
             .flat_map(|opening| fan.directions_in(opening, self.params.width))
             .collect();
-        directions.extend([fan.toward(target - robot), fan.toward(self.facing)]);
+        directions.extend(self.facing.into_iter().chain([target - robot]).map(|way| fan.toward(way)));
         directions.sort_unstable();
         directions.dedup();
         let options = directions.into_iter().filter_map(|k| {
@@ -106,7 +106,7 @@ impl Search<'_> {
     fn best_end(&self, free: DVec2, target: DVec2) -> Option<MovementOption> {
         let (robot, reach) = (self.robot, free.length());
         let reach = free.length();
-        let ahead = free.dot(self.facing) > AHEAD * reach;
+        let ahead = self.facing.is_some_and(|facing| free.dot(facing) > AHEAD * reach);
         let bonus = if ahead { self.params.inertia } else { 0.0 };
         let between = (1..).map(|k| f64::from(k) * self.params.spacing).take_while(|&s| s < reach);
         let beside = free.dot(target - robot) / reach.max(f64::MIN_POSITIVE);

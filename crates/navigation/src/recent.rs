@@ -1,6 +1,6 @@
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 
-use cogmap_geometry::{DVec2, Segment};
+use cogmap_geometry::{DVec2, Pose, Segment};
 use cogmap_mapping::{
     Mapper,
     memory::SurfaceId,
@@ -8,7 +8,7 @@ use cogmap_mapping::{
 };
 use serde::{Deserialize, Serialize};
 
-use crate::{Atlas, Belief, surroundings::Surroundings};
+use crate::{Anchored, Atlas, Belief, surroundings::Surroundings};
 
 /// When the robot stops to trust what it remembers (§3.3.3, Fig. 3.29).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -39,16 +39,28 @@ pub(crate) struct Recent {
     seen: BTreeMap<SurfaceId, usize>,
     /// Scans at rest so far. It begins where nothing counts as seen lately.
     scan: usize,
-    /// What the last scan saw, in the robot's frame.
-    view: Vec<DVec2>,
+    /// The last scans at rest, oldest first: they also show what is too small to be a surface.
+    views: VecDeque<View>,
 }
+
+/// What a scan at rest saw.
+#[derive(Clone, Debug)]
+struct View {
+    scan: usize,
+    place_from_robot: Anchored<Pose>,
+    /// In the robot's frame, metres.
+    points: Vec<DVec2>,
+}
+
+/// Points of a scan nearer to each other than this tell no more than one, metres.
+const THIN: f64 = 0.05;
 
 impl Recent {
     /// At the command most is forgotten at once (§3.3.5): of what is far only what the present scan, which
     /// is still to come, shows.
     pub(crate) fn new(params: &ForgettingParams, mapper: &Mapper, atlas: &Atlas) -> Self {
         let seen = mapper.mfis().remembered().map(|stored| (stored.id, 0)).collect();
-        let mut recent = Self { params: params.clone(), seen, scan: params.scans, view: Vec::new() };
+        let mut recent = Self { params: params.clone(), seen, scan: params.scans, views: VecDeque::new() };
         if let Some(last) = mapper.path().last() {
             recent.forget(mapper, atlas, last.frame_from_robot.position);
         }
@@ -57,13 +69,23 @@ impl Recent {
 
     /// Takes a scan in: what it shows is trusted, what is far and has not been seen lately is not.
     pub(crate) fn observe(&mut self, reading: &Reading, mapper: &Mapper, atlas: &Atlas, belief: &Belief) {
+        let scan = &reading.scan;
+        let points: Vec<DVec2> = (0..scan.ranges.len())
+            .filter_map(|beam| scan.point(beam))
+            .map(|point| scan.robot_from_laser * point)
+            .collect();
+        let here: Vec<DVec2> = points.iter().map(|&point| belief.here_from_robot * point).collect();
         if reading.moment != Moment::WithinStep {
             self.scan += 1;
+            self.views.push_back(View {
+                scan: self.scan,
+                place_from_robot: atlas.keep(belief.here_from_robot),
+                points: thinned(points),
+            });
+            if self.views.len() > self.params.scans {
+                self.views.pop_front();
+            }
         }
-        let scan = &reading.scan;
-        let points = (0..scan.ranges.len()).filter_map(|beam| scan.point(beam));
-        self.view = points.map(|point| scan.robot_from_laser * point).collect();
-        let here: Vec<DVec2> = self.view.iter().map(|&point| belief.here_from_robot * point).collect();
         let robot = belief.here_from_robot.position;
         for stored in mapper.mfis().remembered() {
             let Some(surface) = atlas.surface(stored) else { continue };
@@ -88,9 +110,9 @@ impl Recent {
         });
     }
 
-    /// What the last scan saw, in the robot's frame, metres.
+    /// What the last scan at rest saw, in the robot's frame, metres.
     pub(crate) fn view(&self) -> &[DVec2] {
-        &self.view
+        self.views.back().map_or(&[], |view| &view.points)
     }
 
     /// How many scans at rest it has had.
@@ -103,19 +125,26 @@ impl Recent {
         self.seen.len()
     }
 
-    /// The trusted surfaces that have been seen since a scan, and the present view, as they lie here.
-    pub(crate) fn surroundings(
-        &self,
-        since: usize,
-        mapper: &Mapper,
-        atlas: &Atlas,
-        belief: &Belief,
-    ) -> Surroundings {
+    /// The trusted surfaces that a scan since that one has shown, and what the last of those scans saw, as
+    /// all lies here.
+    pub(crate) fn surroundings(&self, since: usize, mapper: &Mapper, atlas: &Atlas) -> Surroundings {
         let ids = self.seen.iter().filter(|&(_, &last)| last >= since).map(|(&id, _)| id);
         let surfaces = ids.filter_map(|id| atlas.surface(mapper.mfis().get(id)?)).collect();
-        let points = self.view.iter().map(|&point| belief.here_from_robot * point).collect();
+        let views = self.views.iter().filter(|view| view.scan >= since);
+        let seen = views.filter_map(|view| Some((atlas.pose(view.place_from_robot)?, &view.points)));
+        let points = seen.flat_map(|(pose, points)| points.iter().map(move |&point| pose * point)).collect();
         Surroundings { surfaces, points }
     }
+}
+
+fn thinned(points: Vec<DVec2>) -> Vec<DVec2> {
+    let mut kept: Vec<DVec2> = Vec::new();
+    for point in points {
+        if kept.last().is_none_or(|last| last.distance(point) >= THIN) {
+            kept.push(point);
+        }
+    }
+    kept
 }
 
 impl ForgettingParams {

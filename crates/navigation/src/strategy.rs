@@ -59,10 +59,14 @@ pub(crate) struct Situation<'a> {
 impl Situation<'_> {
     /// How far the robot may travel straight toward a point, metres, as far as the last scans go.
     pub(crate) fn free_toward(&self, point: DVec2) -> f64 {
-        let robot_from_here = self.belief.here_from_robot.inverse();
-        let ahead = robot_from_here * point;
-        let turn = cogmap_geometry::trig::atan2(ahead.y, ahead.x);
-        self.vigilance.free_way(turn, ahead.length())
+        let distance = point.distance(self.belief.here_from_robot.position);
+        self.vigilance.free_way(self.turn_to(point), distance)
+    }
+
+    /// By how much the robot must turn to face a point, radians.
+    pub(crate) fn turn_to(&self, point: DVec2) -> f64 {
+        let ahead = self.belief.here_from_robot.inverse() * point;
+        cogmap_geometry::trig::atan2(ahead.y, ahead.x)
     }
 
     /// A point of the place where the robot is, in the map.
