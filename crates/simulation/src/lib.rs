@@ -47,8 +47,8 @@ pub use odometer::{Odometer, WheelTurns};
 pub use raycast::{Disc, Fan, Hit, RayGrid};
 pub use robot::{BodyParams, LaserParams, OdometryErrors, Robot};
 pub use session::{
-    Journal, MapperJournal, Pilot, Recording, SESSION_FORMAT, Session, SessionRecord, Source, Stamped,
-    wall_of,
+    Ending, Homeward, Journal, MapperJournal, Pilot, Recording, SESSION_FORMAT, Session, SessionRecord,
+    Source, Stamped, WayHome, wall_of,
 };
 pub use solids::{Nearest, Obstacles, Solids};
 pub use strategy::Strategy;

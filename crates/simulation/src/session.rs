@@ -8,6 +8,7 @@ mod oracle;
 mod pilot;
 mod record;
 mod variation;
+mod way_home;
 
 use std::sync::Arc;
 
@@ -21,11 +22,12 @@ use checkpoint::Checkpoints;
 use cogmap_navigation::Act;
 pub use feed::Recording;
 use feed::{Feed, Observation};
-pub use journal::{Journal, MapperJournal, Stamped, wall_of};
+pub use journal::{Homeward, Journal, MapperJournal, Stamped, wall_of};
 pub use pilot::Pilot;
 pub use record::{SESSION_FORMAT, SessionRecord, Source};
+pub use way_home::{Ending, WayHome};
 
-use crate::{Command, Problem, SessionEvent, Solids, Strategy, WorldEvent};
+use crate::{Command, Problem, SessionEvent, Solids, Strategy, World, WorldEvent};
 
 /// A world, a robot, a seed and commands, or a recorded log; and the mappers that are fed from it.
 /// The same record always gives the same journal, to the last bit, on every platform.
@@ -120,15 +122,8 @@ impl Session {
         while let Feed::Drive(drive) = &mut self.live.feed
             && let Some(command) = drive.hear(self.record.commands())
         {
-            let on_its_way = self.live.pilot.take();
-            if let Command::GoHome { strategy } = &command
-                && on_its_way.as_ref().is_some_and(|pilot| pilot.strategy() == strategy)
-            {
-                self.live.pilot = on_its_way;
-                continue;
-            }
             drive.obey(&command);
-            if on_its_way.is_some() {
+            if self.live.pilot.take().is_some() {
                 self.journal.note(&SessionEvent::World(WorldEvent::Stopped));
             }
             if let Command::GoHome { strategy } = command {
@@ -138,7 +133,7 @@ impl Session {
     }
 
     fn go_home(&mut self, strategy: &Strategy) {
-        let way_out = pilot::length(self.journal.odometry.iter().map(|stamped| stamped.pose));
+        let way_out = pilot::length(self.journal.odometry.iter().map(|stamped| stamped.pose.position));
         let Live { feed, mappers, pilot } = &mut self.live;
         if let Feed::Drive(drive) = feed {
             *pilot = Pilot::begin(strategy, guide(mappers, &self.record), way_out, drive);
@@ -150,6 +145,9 @@ impl Session {
         let Live { feed: Feed::Drive(drive), mappers, pilot: Some(pilot) } = &mut self.live else { return };
         let guide = guide(mappers, &self.record);
         let Some(decision) = pilot.lead(guide, drive) else { return };
+        if pilot.decisions() == 1 {
+            self.journal.turn_home(pilot.strategy().clone());
+        }
         if matches!(decision.act, Act::Arrived | Act::Stuck) {
             self.live.pilot = None;
         }
@@ -166,8 +164,14 @@ impl Session {
     }
 
     /// Tells the robot something, from the next tick on. What had been recorded for later is dropped:
-    /// going on from an earlier moment makes another run of it. A log takes no commands.
+    /// going on from an earlier moment makes another run of it. A log takes no commands, and a robot on
+    /// its way home need not be told again.
     pub fn command(&mut self, command: Command) {
+        if let (Some(pilot), Command::GoHome { strategy }) = (self.homing(), &command)
+            && pilot.strategy() == strategy
+        {
+            return;
+        }
         let tick = self.live.feed.position();
         if self.record.tell(tick, command) {
             self.checkpoints.forget_after(tick);
@@ -238,6 +242,15 @@ impl Session {
     #[must_use]
     pub fn homing(&self) -> Option<&Pilot> {
         self.live.pilot.as_ref()
+    }
+
+    /// The building as it is now; `None` for logs.
+    #[must_use]
+    pub fn world(&self) -> Option<&World> {
+        match &self.live.feed {
+            Feed::Drive(drive) => Some(drive.world()),
+            Feed::Log { .. } => None,
+        }
     }
 
     /// Where the robot truly is; `None` for logs.

@@ -2,7 +2,11 @@ use cogmap_mapping::{Event, FallbackRun, MapperSetup, Placement, fallback_runs};
 use cogmap_simulation::{MapperJournal, Robot, Session, Source, Stamped};
 use serde::Serialize;
 
-use super::{Extras, labels, trajectory};
+use super::{
+    Extras,
+    homing::{HomingNote, homing_note},
+    labels, trajectory,
+};
 use crate::{carmen::Counts, json};
 
 /// `report.json`: how it went in numbers, and every parameter that mattered.
@@ -13,6 +17,8 @@ struct Report<'a> {
     seed: u64,
     source: SourceNote<'a>,
     run: Run,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    homing: Option<HomingNote<'a>>,
     mappers: Vec<MapperNote<'a>>,
 }
 
@@ -96,6 +102,7 @@ pub fn report(session: &Session, extras: Extras<'_>) -> String {
         seed: record.seed,
         source: source_note(&record.source, extras.log),
         run: run(session),
+        homing: homing_note(session),
         mappers: mappers.filter_map(|(index, label)| mapper_note(session, index, label)).collect(),
     };
     json::write_file(&report, 8)

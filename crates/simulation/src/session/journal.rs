@@ -3,7 +3,7 @@ use cogmap_mapping::{Event, Mapper, StepReport};
 use cogmap_navigation::Decision;
 
 use super::feed::Observation;
-use crate::{SessionEvent, WorldEvent};
+use crate::{SessionEvent, Strategy, WorldEvent};
 
 /// A pose and when it was held.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,10 +21,23 @@ pub struct Journal {
     pub truth: Vec<Stamped>,
     /// The robot in the odometry's frame, one a scan.
     pub odometry: Vec<Stamped>,
+    /// The ways home, one for each time that the robot was told to go home.
+    pub homings: Vec<Homeward>,
     /// What a robot on its way home decided each time that it had come to rest.
     pub decisions: Vec<Decision>,
     /// One a mapper, in the order of the record.
     pub mappers: Vec<MapperJournal>,
+}
+
+/// Where in the lists a way home begins: at its first decision.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Homeward {
+    /// Who finds it.
+    pub strategy: Strategy,
+    /// How many scans had been taken.
+    pub scans: usize,
+    /// How many decisions had been made.
+    pub decisions: usize,
 }
 
 /// What one mapper made of the run.
@@ -44,6 +57,7 @@ pub struct MapperJournal {
 /// How long the lists were at some moment; cutting them to it goes back there.
 pub(super) struct Lengths {
     scans: usize,
+    homings: usize,
     decisions: usize,
     mappers: Vec<[usize; 3]>,
 }
@@ -72,6 +86,12 @@ impl Journal {
         }
     }
 
+    /// Begins to write down a way home.
+    pub(super) fn turn_home(&mut self, strategy: Strategy) {
+        let (scans, decisions) = (self.odometry.len(), self.decisions.len());
+        self.homings.push(Homeward { strategy, scans, decisions });
+    }
+
     /// Writes down what a robot on its way home decided, and what happened to it.
     pub(super) fn decide(&mut self, decision: Decision) {
         for event in &decision.events {
@@ -92,6 +112,7 @@ impl Journal {
         let of = |m: &MapperJournal| [m.reports.len(), m.events.len(), m.true_walls.len()];
         Lengths {
             scans: self.odometry.len(),
+            homings: self.homings.len(),
             decisions: self.decisions.len(),
             mappers: self.mappers.iter().map(of).collect(),
         }
@@ -100,6 +121,7 @@ impl Journal {
     pub(super) fn cut(&mut self, to: &Lengths) {
         self.truth.truncate(to.scans);
         self.odometry.truncate(to.scans);
+        self.homings.truncate(to.homings);
         self.decisions.truncate(to.decisions);
         for (journal, [reports, events, walls]) in self.mappers.iter_mut().zip(&to.mappers) {
             journal.estimate.truncate(to.scans);

@@ -1,4 +1,4 @@
-use cogmap_geometry::Pose;
+use cogmap_geometry::DVec2;
 use cogmap_mapping::{Mapper, perception::Reading};
 use cogmap_navigation::{Act, Decision, Homing, HomingEvent, HomingParams, Mode};
 
@@ -142,13 +142,8 @@ pub(super) fn plain(step: usize, act: Act, why: String) -> Decision {
     }
 }
 
-/// Metres along poses.
-pub(super) fn length(poses: impl Iterator<Item = Pose>) -> f64 {
-    let mut last: Option<Pose> = None;
-    let mut length = 0.0;
-    for pose in poses {
-        length += last.map_or(0.0, |last| last.position.distance(pose.position));
-        last = Some(pose);
-    }
-    length
+/// Metres along points.
+pub(super) fn length(points: impl Iterator<Item = DVec2>) -> f64 {
+    let mut last: Option<DVec2> = None;
+    points.map(|point| last.replace(point).map_or(0.0, |last| last.distance(point))).sum()
 }
