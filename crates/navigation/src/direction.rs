@@ -38,6 +38,23 @@ pub(crate) fn straightest(options: &[MovementOption]) -> Option<usize> {
     Some(for_choice.min_by(|a, b| a.1.score.total_cmp(&b.1.score))?.0)
 }
 
+/// Why an option was chosen, of so many: one sentence for people.
+pub(crate) fn why(option: &MovementOption, options: usize, robot: DVec2, home: DVec2) -> String {
+    let (seen, assumed) = (robot.distance(option.end), option.end.distance(home));
+    if option.detour < 0.05 {
+        return format!(
+            "straight ahead to home, {:.1} m: the first {seen:.1} m are seen to be free",
+            seen + assumed
+        );
+    }
+    let rest = format!("then, it is assumed, {assumed:.1} m straight home");
+    let among = if options == 1 { "the only way on" } else { "the straightest way on of those open" };
+    format!(
+        "{among}: {seen:.1} m that are seen to be free, {rest}, {:.1} m longer than the straight line",
+        option.detour
+    )
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

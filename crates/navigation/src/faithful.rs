@@ -1,17 +1,18 @@
-use cogmap_geometry::{DVec2, Segment, trig};
+use cogmap_geometry::{DVec2, trig};
 use cogmap_mapping::{Mapper, perception::Reading};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Anchored, Atlas, Belief, FailsafeParams, ForgettingParams, HomingEvent, Mode, MovementOption,
-    OptionsParams, Straightest,
+    Atlas, Belief, FailsafeParams, ForgettingParams, HomingEvent, Mode, MovementOption, OptionsParams,
+    Straightest,
     dead_ends::{Closed, DeadEnds},
-    direction::straightest,
+    direction::{straightest, why},
     failsafe::{Following, Patience},
-    options::{Search, assumed},
+    options::Search,
     recent::Recent,
     strategy::{Proposal, Situation, Wish},
     surroundings::Surroundings,
+    trial::Trial,
 };
 
 /// What [`StrategySetup::Faithful`](crate::StrategySetup::Faithful) goes by; the defaults are the thesis's
@@ -61,8 +62,7 @@ pub(crate) struct Faithful {
     dead_ends: DeadEnds,
     following: Option<Following>,
     patience: Patience,
-    /// The end of the option that is being tried.
-    trial: Option<Anchored<DVec2>>,
+    trial: Option<Trial>,
     /// Whether it has just turned to that option and has not moved since.
     turned: bool,
     dropped: usize,
@@ -109,7 +109,8 @@ impl Faithful {
         };
         let trusted = self.surroundings(situation, 0);
         self.dead_ends.look_again(self.recent.view(), situation.belief.here_from_robot, situation.atlas);
-        let closed = self.judge_trial(&trusted, home, situation);
+        let closed =
+            self.trial.and_then(|trial| trial.closed(home, &trusted, &self.params.options, situation));
         let options = self.options(&trusted, home, situation);
         let outlook = Outlook { robot, home, chosen: straightest(&options), options };
         let mut events =
@@ -150,20 +151,6 @@ impl Faithful {
             barred: &|way| self.dead_ends.bar(way, situation.atlas),
         };
         search.toward(target)
-    }
-
-    /// Where the option that was being tried has turned out closed, if it has.
-    fn judge_trial(&self, trusted: &Surroundings, home: DVec2, situation: &Situation) -> Option<Closed> {
-        let robot = situation.belief.here_from_robot.position;
-        let end = self.trial.and_then(|end| situation.atlas.point(end))?;
-        let OptionsParams { assumed_half_width: radius, rough, spacing, .. } = self.params.options;
-        let there = robot.distance(end) <= spacing;
-        let seen = (!there).then(|| Segment::new(robot, end));
-        let guessed = assumed(if there { robot } else { end }, home, rough);
-        [seen, guessed].into_iter().flatten().find_map(|way| {
-            let at = trusted.first_touch(way, radius)?;
-            Some(Closed { at, along: way.direction()?, radius })
-        })
     }
 
     /// An option that turned out closed so that the robot has to turn away from it is a dead end: it is
@@ -223,10 +210,10 @@ impl Faithful {
     /// Follows its sense of direction (§3.3.2).
     fn go(&mut self, outlook: &Outlook, chosen: usize, situation: &Situation) -> Proposal {
         let option = outlook.options[chosen];
-        let before = self.trial.replace(situation.atlas.keep(option.end));
-        let why = why_chosen(&option, outlook);
+        let before = self.trial.replace(Trial::of(option.end, situation));
+        let why = why(&option, outlook.options.len(), outlook.robot, outlook.home);
         let other = before
-            .and_then(|before| situation.atlas.point(before))
+            .and_then(|before| before.end(situation))
             .is_none_or(|before| before.distance(option.end) > self.params.options.apart);
         let event = HomingEvent::OptionChosen {
             end: situation.in_map(option.end).into(),
@@ -304,19 +291,4 @@ fn give_up_or_arrive(outlook: &Outlook, rough_home: f64) -> Proposal {
     }
     let why = "no free way leads on toward home".to_owned();
     Proposal::new(Wish::GiveUp, Mode::Direction, why)
-}
-
-fn why_chosen(option: &MovementOption, outlook: &Outlook) -> String {
-    let (seen, assumed) = (outlook.robot.distance(option.end), option.end.distance(outlook.home));
-    if option.detour < 0.05 {
-        return format!(
-            "straight ahead to home, {:.1} m: the first {seen:.1} m are seen to be free",
-            seen + assumed
-        );
-    }
-    format!(
-        "of {} ways on this is the straightest: {seen:.1} m that are seen to be free, then, it is assumed, {assumed:.1} m straight home, {:.1} m longer than the straight line",
-        outlook.options.len(),
-        option.detour
-    )
 }

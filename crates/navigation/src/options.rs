@@ -105,7 +105,6 @@ impl Search<'_> {
     /// The best end of an option along a free way.
     fn best_end(&self, free: DVec2, target: DVec2) -> Option<MovementOption> {
         let (robot, reach) = (self.robot, free.length());
-        let reach = free.length();
         let ahead = self.facing.is_some_and(|facing| free.dot(facing) > AHEAD * reach);
         let bonus = if ahead { self.params.inertia } else { 0.0 };
         let between = (1..).map(|k| f64::from(k) * self.params.spacing).take_while(|&s| s < reach);
@@ -165,4 +164,72 @@ impl Search<'_> {
 pub(crate) fn assumed(end: DVec2, target: DVec2, rough: f64) -> Option<Segment> {
     let length = end.distance(target);
     (length > rough).then(|| Segment::new(end, end.lerp(target, 1.0 - rough / length)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn wall(x1: f64, y1: f64, x2: f64, y2: f64) -> Segment {
+        Segment::new(DVec2::new(x1, y1), DVec2::new(x2, y2))
+    }
+
+    /// The options of a robot at the origin whose home lies behind the given walls, 10 m to the east.
+    fn options(surfaces: Vec<Segment>) -> Vec<MovementOption> {
+        let surroundings = Surroundings { surfaces, points: Vec::new() };
+        let search = Search {
+            params: &OptionsParams::default(),
+            straightest: Straightest::Shortest,
+            surroundings: &surroundings,
+            robot: DVec2::ZERO,
+            facing: None,
+            watch: &|_| None,
+            barred: &|_| false,
+        };
+        search.toward(DVec2::new(10.0, 0.0))
+    }
+
+    fn best(options: &[MovementOption]) -> MovementOption {
+        options[crate::direction::straightest(options).unwrap()]
+    }
+
+    /// A room of 6 m by 6 m whose eastern wall has a gap so wide.
+    fn room(gap: f64) -> Vec<Segment> {
+        let (low, high) = (1.5 - gap / 2.0, 1.5 + gap / 2.0);
+        vec![
+            wall(-3.0, -3.0, 3.0, -3.0),
+            wall(3.0, -3.0, 3.0, low),
+            wall(3.0, high, 3.0, 3.0),
+            wall(3.0, 3.0, -3.0, 3.0),
+            wall(-3.0, 3.0, -3.0, -3.0),
+        ]
+    }
+
+    #[test]
+    fn in_the_open_the_straight_line_is_the_best_option() {
+        let best = best(&options(Vec::new()));
+        assert!(best.detour < 1e-9 && best.end.distance(DVec2::new(8.0, 0.0)) < 1e-9, "{best:?}");
+    }
+
+    #[test]
+    fn an_opening_counts_only_if_the_robot_fits_through() {
+        let doorway = options(room(0.9));
+        assert!(best(&doorway).end.distance(DVec2::new(3.0, 1.5)) < 1.5, "{doorway:?}");
+        assert_eq!(options(room(0.45)), []);
+    }
+
+    #[test]
+    fn around_a_corner_the_option_ends_where_the_way_home_bends() {
+        let best = best(&options(vec![wall(4.0, -9.0, 4.0, 2.0)]));
+        assert!(best.end.y > 0.8 && best.detour < 1.5, "{best:?}");
+        let assumed = Segment::new(best.end, DVec2::new(10.0, 0.0));
+        assert!(assumed.distance_to(DVec2::new(4.0, 2.0)) >= 0.25 - 1e-9);
+    }
+
+    #[test]
+    fn two_corners_one_behind_the_other_leave_no_option() {
+        let mut maze = room(0.9);
+        maze.extend([wall(4.2, -9.0, 4.2, 9.0), wall(4.2, 9.0, -9.0, 9.0), wall(4.2, -9.0, -9.0, -9.0)]);
+        assert_eq!(options(maze), []);
+    }
 }

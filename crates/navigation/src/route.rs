@@ -24,18 +24,7 @@ impl Route {
     /// tried since, and then home.
     pub(crate) fn without_loops(mapper: &Mapper, tolerance: f64, same: f64) -> Self {
         let atlas = Atlas::of(mapper);
-        let mut path = path_of(mapper, &atlas);
-        path.reverse();
-        let mut kept = Vec::new();
-        let mut next = 0;
-        while let Some(&(k, here)) = path.get(next) {
-            kept.push((k, here));
-            let again = path.iter().rposition(|&(_, there)| there.distance(here) <= same);
-            next = again.unwrap_or(next).max(next) + 1;
-        }
-        kept.extend(path.last().filter(|&home| kept.last() != Some(home)).copied());
-        kept.reverse();
-        Self::through(mapper, &kept, tolerance)
+        Self::through(mapper, &cut_loops(&path_of(mapper, &atlas), same), tolerance)
     }
 
     fn through(mapper: &Mapper, seen: &[(usize, DVec2)], tolerance: f64) -> Self {
@@ -66,6 +55,21 @@ fn path_of(mapper: &Mapper, atlas: &Atlas) -> Vec<(usize, DVec2)> {
     mapper.path().iter().enumerate().filter_map(|(k, point)| Some((k, at(point)?))).collect()
 }
 
+/// Leaves out what lies between two points of a path that are no farther from each other than `same` metres;
+/// of all such the robot, which looks back from the end, takes the point nearest to the beginning.
+fn cut_loops(path: &[(usize, DVec2)], same: f64) -> Vec<(usize, DVec2)> {
+    let mut kept: Vec<(usize, DVec2)> = path.last().copied().into_iter().collect();
+    let mut left = path;
+    while let Some(&(_, here)) = left.last() {
+        let again = left.iter().position(|&(_, there)| there.distance(here) <= same);
+        left = &left[..again.unwrap_or(0)];
+        kept.extend(left.last());
+    }
+    kept.extend(path.first().filter(|&first| kept.last() != Some(first)).copied());
+    kept.reverse();
+    kept
+}
+
 /// Adds the views between the first and the last that the line between them misses, in order.
 fn generalise(path: &[(usize, DVec2)], tolerance: f64, chosen: &mut Vec<usize>) {
     let [first, between @ .., last] = path else { return };
@@ -80,5 +84,39 @@ fn generalise(path: &[(usize, DVec2)], tolerance: f64, chosen: &mut Vec<usize>) 
         generalise(&path[..=k], tolerance, chosen);
         chosen.push(path[k].0);
         generalise(&path[k..], tolerance, chosen);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn numbered(points: &[[f64; 2]]) -> Vec<(usize, DVec2)> {
+        points.iter().map(|&point| point.into()).enumerate().collect()
+    }
+
+    #[test]
+    fn a_loop_is_left_out_and_both_ends_are_kept() {
+        // There, round a block, and on from where the round began.
+        let round =
+            [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.0], [3.0, 1.0], [2.0, 1.0], [2.1, 0.1], [2.0, -1.0]];
+        let kept: Vec<usize> = cut_loops(&numbered(&round), 0.3).into_iter().map(|(k, _)| k).collect();
+        assert_eq!(kept, [0, 1, 6, 7]);
+    }
+
+    #[test]
+    fn a_way_into_a_dead_end_and_out_again_is_no_way() {
+        let tried = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.0], [2.0, 0.0], [1.0, 0.0]];
+        let kept = cut_loops(&numbered(&tried), 0.3);
+        assert_eq!(kept.iter().map(|&(k, _)| k).collect::<Vec<_>>(), [0, 5]);
+    }
+
+    #[test]
+    fn waypoints_stand_where_the_path_bends() {
+        let path = numbered(&[[0.0, 0.0], [1.0, 0.05], [2.0, 0.0], [2.0, 1.0], [2.05, 2.0], [2.0, 3.0]]);
+        let mut chosen = vec![0];
+        generalise(&path, 0.15, &mut chosen);
+        chosen.push(5);
+        assert_eq!(chosen, [0, 2, 5]);
     }
 }
