@@ -5,21 +5,21 @@ mod drive;
 mod feed;
 mod journal;
 mod oracle;
+mod people;
 mod pilot;
 mod record;
+mod stage;
+mod truth;
 mod variation;
 mod way_home;
 
 use std::sync::Arc;
 
 use cogmap_geometry::Pose;
-use cogmap_mapping::{
-    Mapper, MapperSetup,
-    perception::{Moment, Scan},
-};
+use cogmap_mapping::{Mapper, MapperSetup, perception::Scan};
+use cogmap_navigation::Act;
 
 use checkpoint::Checkpoints;
-use cogmap_navigation::Act;
 pub use feed::Recording;
 use feed::{Feed, Observation};
 pub use journal::{Homeward, Journal, MapperJournal, Stamped, wall_of};
@@ -27,7 +27,7 @@ pub use pilot::Pilot;
 pub use record::{SESSION_FORMAT, SessionRecord, Source};
 pub use way_home::{Ending, WayHome};
 
-use crate::{Command, Problem, SessionEvent, Solids, Strategy, World, WorldEvent};
+use crate::{Command, Problem, SessionEvent, Strategy, WorldEvent};
 
 /// A world, a robot, a seed and commands, or a recorded log; and the mappers that are fed from it.
 /// The same record always gives the same journal, to the last bit, on every platform.
@@ -36,6 +36,8 @@ pub struct Session {
     live: Live,
     journal: Journal,
     checkpoints: Checkpoints,
+    /// Whether something was told at this very moment already.
+    told: bool,
 }
 
 /// What changes as a run goes on; cloning it is a checkpoint.
@@ -75,7 +77,7 @@ impl Session {
         let journal = Journal::for_mappers(record.mappers.len());
         let checkpoints = Checkpoints::new(feed.interval());
         let live = Live { feed, mappers, pilot: None };
-        let mut session = Self { record, live, journal, checkpoints };
+        let mut session = Self { record, live, journal, checkpoints, told: false };
         session.first_look();
         session.checkpoints.keep(&session.live, &session.journal);
         session
@@ -102,6 +104,7 @@ impl Session {
 
     /// One turn of the world: a tick of a drive, a reading of a log. `false` where a log is at its end.
     pub fn advance(&mut self) -> bool {
+        self.told = false;
         self.hear();
         self.lead();
         let Some(turn) = self.live.feed.advance() else { return false };
@@ -122,6 +125,15 @@ impl Session {
         while let Feed::Drive(drive) = &mut self.live.feed
             && let Some(command) = drive.hear(self.record.commands())
         {
+            if let Command::Change(change) = command {
+                if drive.change(&change) == Ok(true) {
+                    self.journal.note(&SessionEvent::World(WorldEvent::WorldChanged(change)));
+                }
+                continue;
+            }
+            if drive.refusal(&command).is_some() {
+                continue;
+            }
             drive.obey(&command);
             if self.live.pilot.take().is_some() {
                 self.journal.note(&SessionEvent::World(WorldEvent::Stopped));
@@ -165,16 +177,28 @@ impl Session {
 
     /// Tells the robot something, from the next tick on. What had been recorded for later is dropped:
     /// going on from an earlier moment makes another run of it. A log takes no commands, and a robot on
-    /// its way home need not be told again.
+    /// its way home need not be told again. What is refused is not written down.
     pub fn command(&mut self, command: Command) {
         if let (Some(pilot), Command::GoHome { strategy }) = (self.homing(), &command)
             && pilot.strategy() == strategy
         {
             return;
         }
+        if self.refusal(&command).is_some() {
+            return;
+        }
         let tick = self.live.feed.position();
-        if self.record.tell(tick, command) {
+        if self.record.tell(tick, command, std::mem::replace(&mut self.told, true)) {
             self.checkpoints.forget_after(tick);
+        }
+    }
+
+    /// What speaks against a command at this moment, in words for people; `None` where it will be obeyed.
+    #[must_use]
+    pub fn refusal(&self, command: &Command) -> Option<String> {
+        match &self.live.feed {
+            Feed::Drive(drive) => drive.refusal(command),
+            Feed::Log { .. } => Some("a recorded log takes no commands".to_owned()),
         }
     }
 
@@ -186,6 +210,7 @@ impl Session {
         {
             self.live = live;
         }
+        self.told = false;
         while self.live.feed.position() < position && self.advance() {}
     }
 
@@ -244,24 +269,6 @@ impl Session {
         self.live.pilot.as_ref()
     }
 
-    /// The building as it is now; `None` for logs.
-    #[must_use]
-    pub fn world(&self) -> Option<&World> {
-        match &self.live.feed {
-            Feed::Drive(drive) => Some(drive.world()),
-            Feed::Log { .. } => None,
-        }
-    }
-
-    /// Where the robot truly is; `None` for logs.
-    #[must_use]
-    pub fn world_from_robot(&self) -> Option<Pose> {
-        match &self.live.feed {
-            Feed::Drive(drive) => Some(drive.world_from_robot()),
-            Feed::Log { .. } => None,
-        }
-    }
-
     /// Where odometry believes the robot is.
     #[must_use]
     pub fn odom_from_robot(&self) -> Pose {
@@ -275,33 +282,6 @@ impl Session {
     #[must_use]
     pub fn last_scan(&self) -> Option<&Scan> {
         self.live.feed.last_scan()
-    }
-
-    /// How the robot was moving when the laser saw it; `None` for logs.
-    #[must_use]
-    pub fn last_moment(&self) -> Option<Moment> {
-        match &self.live.feed {
-            Feed::Drive(drive) => drive.last_moment(),
-            Feed::Log { .. } => None,
-        }
-    }
-
-    /// Which solid each beam of it truly measured; `None` for logs.
-    #[must_use]
-    pub fn last_beam_solids(&self) -> Option<&[Option<u32>]> {
-        match &self.live.feed {
-            Feed::Drive(drive) => drive.last_beam_solids(),
-            Feed::Log { .. } => None,
-        }
-    }
-
-    /// The building as the laser and the body meet it; `None` for logs.
-    #[must_use]
-    pub fn solids(&self) -> Option<&Solids> {
-        match &self.live.feed {
-            Feed::Drive(drive) => Some(drive.solids()),
-            Feed::Log { .. } => None,
-        }
     }
 }
 

@@ -1,4 +1,4 @@
-use cogmap_simulation::{Problem, SessionRecord, Source, TICK, TimedCommand};
+use cogmap_simulation::{Command, Problem, SessionRecord, Source, TICK, TimedCommand};
 use serde_json::Value;
 
 use crate::{FormatError, json::Piece, world::complain};
@@ -7,6 +7,8 @@ use crate::{FormatError, json::Piece, world::complain};
 const LONGEST: f64 = 86_400.0;
 /// The most commands that a session may hold.
 const COMMANDS_MAX: usize = 1_000_000;
+/// The most changes of the world and ways home: each of them makes much be looked through anew.
+const CHANGES_MAX: usize = 2_000;
 /// The most mappers that may watch one run.
 const MAPPERS_MAX: usize = 16;
 /// No command asks for more metres, radians or either a second.
@@ -63,6 +65,16 @@ fn these_commands(commands: &[TimedCommand], ticks: u64) -> Vec<Problem> {
         let message = format!("there are {}; at most {COMMANDS_MAX} can be run", commands.len());
         return vec![problem("source.commands", message)];
     }
+    let changes = commands
+        .iter()
+        .filter(|timed| matches!(timed.command, Command::Change(_) | Command::GoHome { .. }))
+        .count();
+    if changes > CHANGES_MAX {
+        let message = format!(
+            "there are {changes} changes of the world and ways home; at most {CHANGES_MAX} can be run"
+        );
+        return vec![problem("source.commands", message)];
+    }
     let mut problems = Vec::new();
     let mut last = 0;
     for (index, timed) in commands.iter().enumerate() {
@@ -75,8 +87,14 @@ fn these_commands(commands: &[TimedCommand], ticks: u64) -> Vec<Problem> {
             problems.push(problem(format!("{place}.tick"), message));
         }
         last = last.max(timed.tick);
+        let most = match timed.command {
+            // What makes no sense is refused when its time has come.
+            Command::Change(_) => continue,
+            Command::GoHome { .. } => PARAMETER_MAX,
+            _ => COMMAND_MAX,
+        };
         let value = serde_json::to_value(&timed.command).unwrap_or_default();
-        problems.extend(wild_numbers(&value, &place, COMMAND_MAX));
+        problems.extend(wild_numbers(&value, &place, most));
     }
     problems.truncate(TOLD_MAX);
     problems
@@ -98,10 +116,11 @@ fn mappers(record: &SessionRecord) -> Vec<Problem> {
     if count == 0 || count > MAPPERS_MAX {
         return vec![problem("mappers", format!("there are {count}; name from 1 to {MAPPERS_MAX} mappers"))];
     }
-    let setups = record.mappers.iter().enumerate();
-    let problems = setups.flat_map(|(index, setup)| {
+    let places = (0..count).map(|index| format!("mappers[{index}]")).chain(["navigator".to_owned()]);
+    let setups = record.mappers.iter().chain(&record.navigator);
+    let problems = setups.zip(places).flat_map(|(setup, place)| {
         let value = serde_json::to_value(setup).unwrap_or_default();
-        wild_numbers(&value, &format!("mappers[{index}]"), PARAMETER_MAX)
+        wild_numbers(&value, &place, PARAMETER_MAX)
     });
     problems.collect()
 }

@@ -37,7 +37,8 @@ pub enum Ending<'a> {
 }
 
 impl Session {
-    /// The last way home up to now; `None` where the robot was never told to go home.
+    /// The last way home up to now; `None` where the robot was never told to go home. The shortest way is
+    /// searched for anew at each call.
     #[must_use]
     pub fn way_home(&self) -> Option<WayHome<'_>> {
         let (world, here) = (self.world()?, self.world_from_robot()?.position);
@@ -65,12 +66,12 @@ impl Session {
             return None;
         }
         let last = decisions.last().into_iter().flat_map(|decision| &decision.events);
-        let by_itself = last.filter_map(|event| match event {
+        let mut by_itself = last.filter_map(|event| match event {
             HomingEvent::Home { .. } => Some(Ending::Home),
             HomingEvent::Stuck { why } => Some(Ending::Stuck(why)),
             _ => None,
         });
-        by_itself.last().or(Some(Ending::Stopped))
+        by_itself.next_back().or(Some(Ending::Stopped))
     }
 
     fn believed_distance(&self) -> Option<f64> {
