@@ -35,7 +35,7 @@ const ROUTES: [(&str, &str, usize, f64); 16] = [
     ("no-passage", "across", 14, 8.4),
     ("around-a-corner", "tour", 10, 9.3),
     ("shortcut", "tour", 23, 29.4),
-    ("box-course", "tour", 43, 49.7),
+    ("box-course", "tour", 46, 49.7),
     ("u-trap", "tour", 15, 24.3),
     ("two-shortcuts", "tour", 30, 40.2),
 ];
