@@ -52,8 +52,8 @@ pub(crate) enum Request {
 /// `cogmap run`.
 #[derive(Debug, Args)]
 pub(crate) struct RunArguments {
-    /// World to drive in: NAME.world.json, a ROS map_server YAML with its picture, or a PNG or PGM
-    /// floor plan
+    /// World to drive in: NAME.world.json, a ROS map_server YAML with its picture, a PNG or PGM
+    /// floor plan, or generated:SEED, an office floor made from that seed
     pub(crate) world: PathBuf,
     #[command(flatten)]
     pub(crate) picture: PictureArguments,

@@ -13,6 +13,7 @@ mod search;
 use caution::Caution;
 pub(crate) use planner::Planner;
 pub use random::random_route;
+pub(crate) use random::{AMPLE, AWAY, Tour};
 
 /// The longest step that the person orders, metres.
 const STEP_MAX: f64 = 2.0;

@@ -25,6 +25,7 @@
 //! ```
 
 mod body;
+mod building;
 mod chance;
 mod command;
 mod driver;
@@ -37,6 +38,7 @@ mod solids;
 mod world;
 
 pub use body::{Body, StepEnd, Tick};
+pub use building::Building;
 pub use command::{Command, TimedCommand};
 pub use driver::{Driver, random_route};
 pub use laser::Laser;
