@@ -4,11 +4,14 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use cogmap_formats::plan::MapServer;
 use cogmap_mapping::MapperSetup;
+use cogmap_simulation::Strategy;
 
 mod examples;
 
 /// The mapper of a command that names none.
 pub(crate) const DEFAULT_MAPPER: &str = "consensus";
+/// The strategy of a robot that is told to go home without saying how.
+pub(crate) const DEFAULT_STRATEGY: &str = "recommended";
 
 /// What the command line asks for.
 #[derive(Debug, Parser)]
@@ -64,6 +67,14 @@ pub(crate) struct RunArguments {
     /// `[[x,y],…]` in metres, or random [default: the world's first route]
     #[arg(long, value_name = "NAME|FILE|random")]
     pub(crate) route: Option<PathBuf>,
+    /// At the end of the route let the robot find its way home alone; the first mapper's belief leads it
+    #[arg(long)]
+    pub(crate) go_home: bool,
+    /// How it finds home: recommended (ours), retrace (the way that it came), oracle (sees the
+    /// building; the yardstick) [default: recommended]
+    #[arg(long, value_name = "NAME", requires = "go_home",
+        value_parser = PossibleValuesParser::new(Strategy::names()))]
+    pub(crate) strategy: Option<String>,
     /// Everything random comes from it
     #[arg(long, value_name = "N", default_value = "1", value_parser = seed, allow_negative_numbers = true)]
     pub(crate) seed: u64,
@@ -248,8 +259,9 @@ mod tests {
     }
 
     #[test]
-    fn the_default_mapper_exists() {
+    fn the_default_mapper_and_the_default_strategy_exist() {
         assert!(MapperSetup::named(DEFAULT_MAPPER).is_some());
+        assert!(Strategy::named(DEFAULT_STRATEGY).is_some());
     }
 
     #[test]

@@ -71,7 +71,7 @@ impl Homing {
         if let Some(belief) = Belief::of(mapper, &self.atlas, reading.odom_from_robot) {
             self.mind.observe(reading, &self.atlas, &belief);
         }
-        self.vigilance.free_way(0.0, self.params.step_min) > 0.0
+        self.vigilance.is_clear()
     }
 
     /// What to do next, at rest, when odometry stands there; `None` before the mapper's first view.

@@ -11,6 +11,7 @@
 mod belief;
 mod decision;
 mod homing;
+mod recommended;
 mod retrace;
 mod route;
 mod strategy;
@@ -19,6 +20,7 @@ mod vigilance;
 pub use belief::{Anchored, Atlas, Belief};
 pub use decision::{Act, Decision, HomingEvent, Mode, MovementOption};
 pub use homing::{Homing, HomingParams};
+pub use recommended::{Footing, RecommendedParams, RescueParams};
 pub use retrace::RetraceParams;
 pub use strategy::StrategySetup;
 pub use vigilance::{Vigilance, VigilanceParams};

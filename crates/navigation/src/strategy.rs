@@ -3,26 +3,29 @@ use cogmap_mapping::{Mapper, perception::Reading};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Atlas, Belief, HomingEvent, HomingParams, Mode, MovementOption, RetraceParams, Vigilance,
-    retrace::Retrace,
+    Atlas, Belief, HomingEvent, HomingParams, Mode, MovementOption, RecommendedParams, RetraceParams,
+    Vigilance, recommended::Recommended, retrace::Retrace,
 };
 
 /// Which way of finding home, with every parameter that it uses.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "strategy", rename_all = "kebab-case")]
 pub enum StrategySetup {
+    /// Ours: plans through remembered and assumed free space.
+    Recommended(RecommendedParams),
     /// The way out, backward: a baseline.
     Retrace(RetraceParams),
 }
 
 impl StrategySetup {
     /// The names that [`StrategySetup::named`] knows.
-    pub const NAMES: [&'static str; 1] = ["retrace"];
+    pub const NAMES: [&'static str; 2] = ["recommended", "retrace"];
 
     /// The strategy of that name with its default parameters.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         match name {
+            "recommended" => Some(Self::Recommended(RecommendedParams::default())),
             "retrace" => Some(Self::Retrace(RetraceParams::default())),
             _ => None,
         }
@@ -32,6 +35,7 @@ impl StrategySetup {
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
+            Self::Recommended(_) => "recommended",
             Self::Retrace(_) => "retrace",
         }
     }
@@ -106,25 +110,31 @@ impl Proposal {
 /// A strategy at work.
 #[derive(Clone, Debug)]
 pub(crate) enum Mind {
+    Recommended(Box<Recommended>),
     Retrace(Retrace),
 }
 
 impl Mind {
     pub(crate) fn new(setup: &StrategySetup, mapper: &Mapper) -> Self {
         match setup {
+            StrategySetup::Recommended(params) => {
+                Self::Recommended(Box::new(Recommended::new(params, mapper)))
+            }
             StrategySetup::Retrace(params) => Self::Retrace(Retrace::new(params, mapper)),
         }
     }
 
     /// Takes a scan in, after the mapper did.
-    pub(crate) fn observe(&mut self, _reading: &Reading, _atlas: &Atlas, _belief: &Belief) {
+    pub(crate) fn observe(&mut self, reading: &Reading, atlas: &Atlas, belief: &Belief) {
         match self {
+            Self::Recommended(recommended) => recommended.observe(reading, atlas, belief),
             Self::Retrace(_) => {}
         }
     }
 
     pub(crate) fn decide(&mut self, situation: &Situation) -> Proposal {
         match self {
+            Self::Recommended(recommended) => recommended.decide(situation),
             Self::Retrace(retrace) => retrace.decide(situation),
         }
     }
@@ -132,6 +142,7 @@ impl Mind {
     /// How many stored surfaces it has stopped to trust at the command (§3.3.5).
     pub(crate) fn dropped(&self) -> usize {
         match self {
+            Self::Recommended(recommended) => recommended.dropped(),
             Self::Retrace(_) => 0,
         }
     }

@@ -1,6 +1,6 @@
 use std::collections::VecDeque;
 
-use cogmap_geometry::{DVec2, Pose};
+use cogmap_geometry::{DVec2, Pose, trig};
 use cogmap_mapping::perception::Reading;
 use serde::{Deserialize, Serialize};
 
@@ -8,21 +8,31 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct VigilanceParams {
-    /// Half the width that must be free ahead: the robot's radius and a margin, metres.
+    /// Half the width that must be free: the robot's radius and what the laser may err, metres …
     pub half_width: f64,
+    /// … and so much more after a metre, metres: wheels that slip and differ lead the robot astray by a
+    /// distance that grows as the way to the power of 1.5.
+    pub astray: f64,
     /// Scans that are kept …
     pub scans: usize,
     /// … while odometry has moved by no more than this since, metres.
     pub reach: f64,
     /// Metres that are kept between the robot's edge and what is ahead.
     pub gap: f64,
+    /// How hard the robot can brake, metres per second squared.
+    pub braking: f64,
+    /// Something that the last scan sees past by so much has gone away, metres.
+    pub gone: f64,
 }
 
 impl Default for VigilanceParams {
     fn default() -> Self {
-        Self { half_width: 0.29, scans: 24, reach: 1.0, gap: 0.06 }
+        Self { half_width: 0.26, astray: 0.05, scans: 24, reach: 1.0, gap: 0.05, braking: 0.8, gone: 0.25 }
     }
 }
+
+/// Only what is nearer than this can have gone away, metres: farther off it is in nobody's way.
+const NEAR: f64 = 2.0;
 
 /// Watches where the robot is about to go, on scans alone: whatever the map says, nothing is run
 /// into that was seen a moment ago. Ours; the thesis leaves it to its robot.
@@ -30,11 +40,14 @@ impl Default for VigilanceParams {
 pub struct Vigilance {
     params: VigilanceParams,
     sights: VecDeque<Sight>,
+    /// Metres per second between the last two scans.
+    speed: f64,
 }
 
 /// The points of a scan, in the odometry's frame; over so short a way odometry does not drift.
 #[derive(Clone, Debug)]
 struct Sight {
+    t: f64,
     odom_from_robot: Pose,
     points: Vec<DVec2>,
 }
@@ -43,24 +56,27 @@ impl Vigilance {
     /// A watch that has seen nothing yet.
     #[must_use]
     pub fn new(params: &VigilanceParams) -> Self {
-        Self { params: params.clone(), sights: VecDeque::new() }
+        Self { params: params.clone(), sights: VecDeque::new(), speed: 0.0 }
     }
 
     /// Takes a scan in.
     pub fn observe(&mut self, reading: &Reading) {
         let odom_from_laser = reading.odom_from_robot * reading.scan.robot_from_laser;
+        let here = reading.odom_from_robot;
+        self.speed = self.sights.back().map_or(0.0, |last| {
+            let (way, time) = (last.odom_from_robot.from_here(here).position.x, reading.t - last.t);
+            if time > 0.0 { way / time } else { 0.0 }
+        });
+        self.sights
+            .retain(|sight| sight.odom_from_robot.position.distance(here.position) <= self.params.reach);
+        for sight in &mut self.sights {
+            sight.forget_what_is_gone(odom_from_laser, reading, self.params.gone);
+        }
         let points = (0..reading.scan.ranges.len())
             .filter_map(|beam| reading.scan.point(beam))
             .map(|point| odom_from_laser * point);
-        let sight = Sight { odom_from_robot: reading.odom_from_robot, points: points.collect() };
-        self.sights.push_back(sight);
-        let here = reading.odom_from_robot.position;
-        while self.sights.len() > self.params.scans
-            || self
-                .sights
-                .front()
-                .is_some_and(|sight| sight.odom_from_robot.position.distance(here) > self.params.reach)
-        {
+        self.sights.push_back(Sight { t: reading.t, odom_from_robot: here, points: points.collect() });
+        if self.sights.len() > self.params.scans {
             self.sights.pop_front();
         }
     }
@@ -70,17 +86,106 @@ impl Vigilance {
     #[must_use]
     pub fn free_way(&self, turn: f64, wanted: f64) -> f64 {
         let Some(last) = self.sights.back() else { return 0.0 };
+        let VigilanceParams { half_width, astray, gap, .. } = self.params;
         let ahead = last.odom_from_robot * Pose::new(0.0, 0.0, turn);
-        let robot_from_odom = ahead.inverse();
-        let radius = self.params.half_width;
+        let (origin, along) = (ahead.position, ahead.forward());
+        let widest = half_width + astray * wanted * wanted.sqrt();
         let mut free = wanted;
-        for point in self.sights.iter().flat_map(|sight| &sight.points) {
-            let seen = robot_from_odom * *point;
-            if seen.x > 0.0 && seen.y.abs() < radius && seen.x < free + radius + self.params.gap {
-                let touch = seen.x - (radius * radius - seen.y * seen.y).sqrt() - self.params.gap;
-                free = free.min(touch);
+        for &point in self.sights.iter().flat_map(|sight| &sight.points) {
+            let seen = point - origin;
+            let (x, y) = (along.dot(seen), along.perp_dot(seen).abs());
+            if x <= 0.0 || y >= widest || x >= free + widest + gap {
+                continue;
+            }
+            let way = x.min(wanted);
+            let radius = half_width + astray * way * way.sqrt();
+            if y < radius {
+                free = free.min(x - (radius * radius - y * y).sqrt() - gap);
             }
         }
         free.max(0.0)
+    }
+
+    /// Whether nothing has come so near ahead that the robot should brake; at rest nothing has.
+    #[must_use]
+    pub fn is_clear(&self) -> bool {
+        let brakes = self.speed * self.speed / (2.0 * self.params.braking);
+        self.speed <= 0.05 || self.free_way(0.0, brakes) >= brakes - self.params.gap
+    }
+}
+
+impl Sight {
+    /// Drops the points past which a later scan sees clearly, on both sides too: what was there has moved on.
+    fn forget_what_is_gone(&mut self, odom_from_laser: Pose, later: &Reading, gone: f64) {
+        let (scan, laser_from_odom) = (&later.scan, odom_from_laser.inverse());
+        let origin = laser_from_odom.position;
+        let (x, y) = (laser_from_odom.rotate(DVec2::X), laser_from_odom.rotate(DVec2::Y));
+        self.points.retain(|&point| {
+            let seen = origin + x * point.x + y * point.y;
+            let range = seen.length();
+            if range > NEAR {
+                return true;
+            }
+            let beam = (trig::atan2(seen.y, seen.x) - scan.angle_min) / scan.angle_increment;
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a float saturates")]
+            let beam = (beam.round() + 0.5).max(0.0) as usize;
+            let past = |beam: usize| scan.range(beam).is_some_and(|seen| seen > range + gone);
+            let sides = beam.checked_sub(1).is_some_and(past) && past(beam + 1);
+            !(sides && past(beam))
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use cogmap_mapping::perception::{Moment, Scan};
+
+    use super::*;
+
+    /// What a robot sees that stands at x and looks along it, with a wall across at 3 m and a post at 1.5 m.
+    fn reading(t: f64, x: f64, post: Option<f64>) -> Reading {
+        let ranges = (0..361).map(|beam| {
+            let bearing = f64::from(beam - 180) * 0.5_f64.to_radians();
+            let wall = (3.0 - x) / trig::cos(bearing).max(1e-9);
+            post.filter(|_| bearing.abs() < 0.05).map_or(wall, |post| post - x).min(9.0)
+        });
+        let scan = Scan {
+            robot_from_laser: Pose::IDENTITY,
+            angle_min: -trig::FRAC_PI_2,
+            angle_increment: 0.5_f64.to_radians(),
+            range_max: 8.19,
+            ranges: ranges.collect(),
+            labels: Vec::new(),
+        };
+        Reading { t, odom_from_robot: Pose::new(x, 0.0, 0.0), moment: Moment::WithinStep, scan }
+    }
+
+    #[test]
+    fn the_robot_stops_short_of_what_it_saw() {
+        let mut vigilance = Vigilance::new(&VigilanceParams::default());
+        assert_eq!(vigilance.free_way(0.0, 1.0), 0.0, "nothing seen is not nothing there");
+        vigilance.observe(&reading(0.0, 0.0, Some(1.5)));
+        let free = vigilance.free_way(0.0, 2.0);
+        assert!(free > 1.0 && free < 1.5 - 0.25 - 0.05, "{free}");
+        assert_eq!(vigilance.free_way(trig::FRAC_PI_2, 0.8), 0.8);
+    }
+
+    #[test]
+    fn what_has_moved_on_is_no_longer_in_the_way() {
+        let mut vigilance = Vigilance::new(&VigilanceParams::default());
+        vigilance.observe(&reading(0.0, 0.0, Some(1.5)));
+        vigilance.observe(&reading(1.0, 0.0, None));
+        assert_eq!(vigilance.free_way(0.0, 2.0), 2.0);
+    }
+
+    #[test]
+    fn a_fast_robot_brakes_for_what_a_slow_one_need_not_mind_yet() {
+        let clear = |dt: f64| {
+            let mut vigilance = Vigilance::new(&VigilanceParams::default());
+            vigilance.observe(&reading(0.0, 0.0, None));
+            vigilance.observe(&reading(dt, 0.1, Some(0.65)));
+            vigilance.is_clear()
+        };
+        assert!(!clear(0.1) && clear(0.5));
     }
 }

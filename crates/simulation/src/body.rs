@@ -76,11 +76,11 @@ impl Body {
     }
 
     /// Takes an order; numbers that are not finite count as 0, the others are cut to what it can do.
-    pub fn command(&mut self, command: Command) {
+    pub fn command(&mut self, command: &Command) {
         let bounded = |value: f64, most: f64| if value.is_finite() { value.clamp(-most, most) } else { 0.0 };
         self.patience = PATIENCE;
-        self.task = match command {
-            Command::Stop | Command::Kidnap { .. } => Task::Rest,
+        self.task = match *command {
+            Command::Stop | Command::Kidnap { .. } | Command::GoHome { .. } => Task::Rest,
             Command::Drive { linear, angular } => {
                 let angular = bounded(angular, self.params.max_turn_rate);
                 Task::Drive([bounded(linear, self.params.max_speed), angular])

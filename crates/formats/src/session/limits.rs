@@ -75,7 +75,7 @@ fn these_commands(commands: &[TimedCommand], ticks: u64) -> Vec<Problem> {
             problems.push(problem(format!("{place}.tick"), message));
         }
         last = last.max(timed.tick);
-        let value = serde_json::to_value(timed.command).unwrap_or_default();
+        let value = serde_json::to_value(&timed.command).unwrap_or_default();
         problems.extend(wild_numbers(&value, &place, COMMAND_MAX));
     }
     problems.truncate(TOLD_MAX);

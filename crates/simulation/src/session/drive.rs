@@ -10,7 +10,7 @@ use super::{
     feed::{Observation, Turn},
 };
 use crate::{
-    Body, BoxObstacle, Command, Laser, Obstacles, Odometer, Problem, RayGrid, Solids, TICK, TimedCommand,
+    Body, Command, Laser, Obstacles, Odometer, Problem, RayGrid, Robot, Solids, TICK, TimedCommand, World,
 };
 
 /// While a step is driven the laser records each so many metres …
@@ -47,8 +47,9 @@ struct Look {
 
 /// What never changes during a run.
 struct Stage {
+    world: World,
+    robot: Robot,
     solids: Solids,
-    boxes: Vec<BoxObstacle>,
     obstacles: Obstacles,
     grid: RayGrid,
     laser: Laser,
@@ -90,7 +91,8 @@ impl Drive {
             last_look: None,
             stage: Arc::new(Stage {
                 grid: RayGrid::new(&solids.segments, &solids.discs),
-                boxes: world.boxes.clone(),
+                world: world.clone(),
+                robot: robot.clone(),
                 obstacles: Obstacles::new(&solids),
                 solids,
                 laser,
@@ -98,9 +100,8 @@ impl Drive {
         })
     }
 
-    /// One tick: hear, move, count the wheels, look if it is time.
-    pub(super) fn advance(&mut self, commands: &[TimedCommand]) -> Turn {
-        self.hear(commands);
+    /// One tick: move, count the wheels, look if it is time.
+    pub(super) fn advance(&mut self) -> Turn {
         let moved = self.body.tick(&self.stage.obstacles, &mut self.slip);
         self.odometer.record(moved.turns);
         self.tick += 1;
@@ -113,20 +114,25 @@ impl Drive {
         Turn { observation, collision: moved.collision }
     }
 
-    fn hear(&mut self, commands: &[TimedCommand]) {
-        while let Some(timed) = commands.get(self.next_command).filter(|c| c.tick <= self.tick) {
-            self.body.command(timed.command);
-            self.motion = match timed.command {
-                Command::Step { .. } => Motion::Stepping,
-                Command::Drive { .. } | Command::Stop | Command::Kidnap { .. } => Motion::Rolling,
-            };
-            if let Command::Kidnap { position: [x, y], heading_deg } = timed.command {
-                let set_down = Pose::new(x, y, heading_deg.to_radians());
-                if !self.stage.boxes.iter().any(|carton| carton.contains(set_down.position)) {
-                    self.body.kidnap(set_down, &self.stage.obstacles);
-                }
+    /// The next command whose time has come.
+    pub(super) fn hear(&mut self, commands: &[TimedCommand]) -> Option<Command> {
+        let timed = commands.get(self.next_command).filter(|timed| timed.tick <= self.tick)?;
+        self.next_command += 1;
+        Some(timed.command.clone())
+    }
+
+    /// Begins to do as it was told.
+    pub(super) fn obey(&mut self, command: &Command) {
+        self.body.command(command);
+        self.motion = match command {
+            Command::Step { .. } => Motion::Stepping,
+            _ => Motion::Rolling,
+        };
+        if let Command::Kidnap { position: [x, y], heading_deg } = *command {
+            let set_down = Pose::new(x, y, heading_deg.to_radians());
+            if !self.stage.world.boxes.iter().any(|carton| carton.contains(set_down.position)) {
+                self.body.kidnap(set_down, &self.stage.obstacles);
             }
-            self.next_command += 1;
         }
     }
 
@@ -174,6 +180,20 @@ impl Drive {
 
     pub(super) fn at_rest(&self) -> bool {
         self.body.at_rest()
+    }
+
+    /// Whether it moves straight ahead.
+    pub(super) fn advances(&self) -> bool {
+        self.body.speed()[0] > 0.0
+    }
+
+    /// The building as it is now.
+    pub(super) fn world(&self) -> &World {
+        &self.stage.world
+    }
+
+    pub(super) fn robot(&self) -> &Robot {
+        &self.stage.robot
     }
 
     pub(super) fn world_from_robot(&self) -> Pose {

@@ -1,0 +1,259 @@
+//! Our way home, which is not the thesis's: it keeps the idea (trust what was seen lately, guess
+//! optimistically beyond it, remember the way you came) but plans through remembered and assumed
+//! free space, where the thesis looks to the next corner only (§3.3.2).
+
+mod floor;
+mod footing;
+mod ground;
+mod rescue;
+mod search;
+mod sight;
+mod steering;
+mod survey;
+mod tiles;
+
+use cogmap_geometry::{DVec2, Pose};
+use cogmap_mapping::{Mapper, perception::Reading};
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    Anchored, Atlas, Belief, HomingEvent,
+    strategy::{Proposal, Situation, Wish},
+};
+pub use footing::Footing;
+use footing::{Ease, Trust};
+use ground::Ground;
+pub use rescue::RescueParams;
+use rescue::{Lead, Rescue};
+use search::{Search, Way};
+use survey::Survey;
+use tiles::Cell;
+
+/// What [`StrategySetup::Recommended`](crate::StrategySetup::Recommended) goes by.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct RecommendedParams {
+    /// What it costs to go somewhere.
+    pub footing: Footing,
+    /// Another way is taken only where it is cheaper by so many metres …
+    pub hysteresis: f64,
+    /// … and by this share.
+    pub hysteresis_share: f64,
+    /// A wall that was met so often closes a way for good.
+    pub closed: u8,
+    /// When the fail-safe takes over, and when the robot gives up.
+    pub rescue: RescueParams,
+}
+
+impl Default for RecommendedParams {
+    fn default() -> Self {
+        Self {
+            footing: Footing::default(),
+            hysteresis: 1.0,
+            hysteresis_share: 0.05,
+            closed: 2,
+            rescue: RescueParams::default(),
+        }
+    }
+}
+
+/// Where something too tight for the robot is noted, ahead of its middle, metres.
+const TIGHT: f64 = 0.4;
+
+/// Plans the way home anew at every decision, through what is remembered and what is assumed to be free.
+#[derive(Clone, Debug)]
+pub(crate) struct Recommended {
+    params: RecommendedParams,
+    ground: Ground,
+    /// Decisions so far.
+    moment: u16,
+    /// The corners of the way that the robot has in mind, on the floor.
+    way: Vec<DVec2>,
+    rescue: Rescue,
+    dropped: usize,
+}
+
+/// What a decision is about, on the floor.
+struct Scene {
+    floor_from_here: Pose,
+    robot: DVec2,
+    home: DVec2,
+}
+
+/// A way that was chosen, and what became of the one before.
+struct Choice {
+    way: Way,
+    survey: Survey,
+    /// What the way before would cost now; `None` where it is closed or there was none.
+    before: Option<f64>,
+    had_one: bool,
+    switched: bool,
+}
+
+impl Recommended {
+    pub(crate) fn new(params: &RecommendedParams, mapper: &Mapper) -> Self {
+        let atlas = Atlas::of(mapper);
+        let mut ground = Ground::new(atlas.here());
+        ground.follow(mapper, &atlas);
+        let dropped = far_surfaces(mapper, &atlas, params.footing.near);
+        let rescue = Rescue::new(&params.rescue, way_out(mapper, &atlas));
+        Self { params: params.clone(), ground, moment: 0, way: Vec::new(), rescue, dropped }
+    }
+
+    /// Surfaces that are too far to be trusted at the command (§3.3.5).
+    pub(crate) fn dropped(&self) -> usize {
+        self.dropped
+    }
+
+    pub(crate) fn observe(&mut self, reading: &Reading, atlas: &Atlas, belief: &Belief) {
+        self.ground.observe(reading, atlas, belief, self.moment);
+    }
+
+    pub(crate) fn decide(&mut self, situation: &Situation) -> Proposal {
+        self.moment = self.moment.wrapping_add(1);
+        if self.ground.follow(situation.mapper, situation.atlas) {
+            self.way.clear();
+        }
+        let Some(scene) = self.scene(situation) else {
+            let why = "the robot has lost its way: nothing that it sees tells it where home is".to_owned();
+            return Proposal::new(Wish::GiveUp, Lead::Planning.mode(), why);
+        };
+        let mut events = Vec::new();
+        let lead = self.rescue.lead(scene.robot, &mut events);
+        if let Some(why) = self.rescue.is_spent() {
+            return Proposal::new(Wish::GiveUp, lead.mode(), why);
+        }
+        let proposal = match self.choose(&scene, lead) {
+            Some(choice) => self.go(situation, &scene, (lead, choice), &mut events),
+            None => self.rescue.no_way(situation),
+        };
+        Proposal { events, ..proposal }
+    }
+
+    fn scene(&self, situation: &Situation) -> Option<Scene> {
+        let floor_from_here = self.ground.floor_from_here(situation.atlas)?;
+        let robot = floor_from_here * situation.belief.here_from_robot.position;
+        let home = floor_from_here * situation.belief.home?.position;
+        Some(Scene { floor_from_here, robot, home })
+    }
+
+    /// The cheapest way home, or the one that the robot has in mind where that is hardly dearer.
+    fn choose(&mut self, scene: &Scene, lead: Lead) -> Option<Choice> {
+        let ease = Ease {
+            floor: self.ground.floor(),
+            footing: &self.params.footing,
+            trust: if lead == Lead::OwnWay { Trust::OwnWay } else { Trust::Memory },
+            robot: Cell::at(scene.robot),
+            moment: self.moment,
+        };
+        let mut search = Search::new(ease, scene.home);
+        let had_one = !self.way.is_empty();
+        let kept = search.pull_tight(scene.robot, &self.way);
+        let before = if had_one { search.cost(scene.robot, &kept) } else { None };
+        let found = search.way().and_then(|cells| {
+            let mut points: Vec<DVec2> = cells.into_iter().skip(1).map(Cell::middle).collect();
+            if points.is_empty() {
+                points.push(scene.robot);
+            }
+            let corners = search.pull_tight(scene.robot, &points);
+            Some(Way { cost: search.cost(scene.robot, &corners)?, corners })
+        });
+        let worth = |cost: f64| cost + self.params.hysteresis + self.params.hysteresis_share * cost;
+        let (way, switched) = match (found, before) {
+            (Some(found), Some(before)) if worth(found.cost) < before => (found, true),
+            (_, Some(before)) => (Way { corners: kept, cost: before }, false),
+            (Some(found), None) => (found, had_one),
+            (None, None) => return None,
+        };
+        let survey = Survey::of(&ease, scene.robot, &way.corners);
+        self.way.clone_from(&way.corners);
+        (survey.barrier < self.params.closed).then_some(Choice { way, survey, before, had_one, switched })
+    }
+
+    /// Goes along the chosen way.
+    fn go(
+        &mut self,
+        situation: &Situation,
+        scene: &Scene,
+        (lead, choice): (Lead, Choice),
+        events: &mut Vec<HomingEvent>,
+    ) -> Proposal {
+        let here_from_floor = scene.floor_from_here.inverse();
+        let corners: Vec<DVec2> = choice.way.corners.iter().map(|&corner| here_from_floor * corner).collect();
+        let why = self.why(&choice, lead);
+        if choice.switched {
+            let position = situation.belief.here_from_robot.position.into();
+            if choice.before.is_none() {
+                events.push(HomingEvent::DeadEnd { position, why: why.clone() });
+            }
+            let end = corners.last().copied().unwrap_or_default().into();
+            events.push(HomingEvent::OptionChosen { end, options: 2, why: why.clone() });
+        }
+        self.rescue.settle();
+        let mode = lead.mode();
+        let near = choice.way.corners.last().is_none_or(|last| last.distance(scene.robot) < 0.15);
+        if near && scene.robot.distance(scene.home) <= search::NEAR_HOME {
+            let distance = scene.robot.distance(scene.home);
+            let why = format!("home itself cannot be reached: {distance:.2} m is as near as the robot gets");
+            return Proposal::new(Wish::Arrive, mode, why);
+        }
+        let wish = steering::toward(situation, &corners).unwrap_or_else(|| {
+            self.block(scene);
+            Wish::GoTo(corners.first().copied().unwrap_or_default())
+        });
+        Proposal { way: corners, ..Proposal::new(wish, mode, why) }
+    }
+
+    /// Remembers that the robot does not fit through although it looks as if it did.
+    fn block(&mut self, scene: &Scene) {
+        let Some(toward) = self.way.first().and_then(|&corner| (corner - scene.robot).try_normalize()) else {
+            return;
+        };
+        self.ground.block(scene.robot + toward * TIGHT, self.moment);
+        self.way.clear();
+    }
+
+    fn why(&self, choice: &Choice, lead: Lead) -> String {
+        let Survey { length, unseen, barrier, .. } = choice.survey;
+        let reason = match (choice.switched, choice.before) {
+            (true, None) if choice.had_one => "the way that the robot had in mind is closed; ",
+            (true, Some(_)) => "a shorter way has come to light; ",
+            _ => "",
+        };
+        let guess = match unseen {
+            unseen if barrier > 0 => {
+                format!(
+                    ", {unseen:.1} m of it through places that it has not seen, and past a wall that it saw long ago"
+                )
+            }
+            unseen if unseen > 0.5 => {
+                format!(", {unseen:.1} m of it through places that it has not seen but hopes to be free")
+            }
+            _ => ", all of it through places that it has seen free".to_owned(),
+        };
+        match lead {
+            Lead::OwnWay => {
+                format!("{reason}the robot trusts only its eyes and the way that it came: {length:.1} m")
+            }
+            Lead::Planning => {
+                format!("{reason}the best way home that the robot can think of is {length:.1} m long{guess}")
+            }
+        }
+    }
+}
+
+/// Metres that the robot has come since it began, as far as links lead there.
+fn way_out(mapper: &Mapper, atlas: &Atlas) -> f64 {
+    let keep =
+        |point: &cogmap_mapping::PathPoint| Anchored { frame: point.frame, value: point.frame_from_robot };
+    let places: Vec<DVec2> =
+        mapper.path().iter().filter_map(|point| Some(atlas.pose(keep(point))?.position)).collect();
+    places.windows(2).map(|pair| pair[0].distance(pair[1])).sum()
+}
+
+fn far_surfaces(mapper: &Mapper, atlas: &Atlas, near: f64) -> usize {
+    let Some(last) = mapper.path().last() else { return 0 };
+    let here = last.frame_from_robot.position;
+    let far = |wall: cogmap_geometry::Segment| wall.distance_to(here) > near;
+    mapper.mfis().remembered().filter(|stored| atlas.surface(stored).is_some_and(far)).count()
+}

@@ -1,0 +1,210 @@
+use cogmap_geometry::{DVec2, Pose, Segment};
+
+use super::tiles::{CELL, Cell, Tiles};
+
+/// How far before what a beam hit the floor counts as seen free, metres.
+const SHORT: f64 = 0.12;
+/// Beams that tell of free floor: each so many.
+const EVERY: usize = 2;
+/// How much is found at a place before it counts as occupied, and the most that is counted.
+const OCCUPIED: i8 = 2;
+const MOST: i8 = 5;
+/// How often a place is seen free on the whole before a remembered wall there is given up.
+const LOOKED_THROUGH: i8 = -3;
+/// Occupied cells within this many of a cell are counted there: 0.4 m.
+pub(super) const CROWD: i32 = 4;
+/// Seen again after so many decisions, something counts as met again.
+const AGAIN: u16 = 12;
+
+/// What is known of a cell.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Spot {
+    /// Above zero: scans have hit something there; below: they have looked through.
+    evidence: i8,
+    /// How often it was met occupied, with something else between.
+    visits: u8,
+    /// Occupied cells around.
+    crowd: u8,
+    marks: u8,
+    /// When it was last found occupied, in decisions.
+    met: u16,
+    /// The last scan that told anything of it.
+    scan: u16,
+}
+
+const WALL: u8 = 1;
+const TRAVELLED: u8 = 2;
+const SEEN_FREE: u8 = 4;
+
+impl Spot {
+    /// Whether anything is believed to stand there.
+    pub(super) fn is_occupied(self) -> bool {
+        self.is_found() || self.marks & WALL != 0
+    }
+
+    /// Whether scans say so, not only the map.
+    pub(super) fn is_found(self) -> bool {
+        self.evidence >= OCCUPIED
+    }
+
+    /// Whether the robot's middle has passed there.
+    pub(super) fn is_travelled(self) -> bool {
+        self.marks & TRAVELLED != 0
+    }
+
+    /// Whether it was seen free, or passed.
+    pub(super) fn is_known_free(self) -> bool {
+        self.marks & (TRAVELLED | SEEN_FREE) != 0
+    }
+
+    /// Occupied cells within [`CROWD`].
+    pub(super) fn crowd(self) -> u8 {
+        self.crowd
+    }
+
+    /// When it was last found occupied, in decisions.
+    pub(super) fn met(self) -> u16 {
+        self.met
+    }
+
+    /// How often it was met occupied.
+    pub(super) fn visits(self) -> u8 {
+        self.visits
+    }
+}
+
+/// What is known of the floor, cell by cell.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Floor {
+    spots: Tiles<Spot>,
+    scan: u16,
+    bounds: Option<[DVec2; 2]>,
+}
+
+impl Floor {
+    /// What is known of a cell.
+    pub(super) fn spot(&self, cell: Cell) -> Spot {
+        self.spots.get(cell)
+    }
+
+    /// The corners of what was travelled, metres.
+    pub(super) fn travelled(&self) -> Option<[DVec2; 2]> {
+        self.bounds
+    }
+
+    /// A scan: what its beams hit is occupied, what they passed is free.
+    pub(super) fn see(&mut self, floor_from_laser: Pose, points: &[DVec2], moment: u16) {
+        self.scan = self.scan.wrapping_add(1).max(1);
+        for &point in points {
+            self.hit(Cell::at(floor_from_laser * point), moment);
+        }
+        let laser = floor_from_laser.position;
+        for &point in points.iter().step_by(EVERY) {
+            let beam = floor_from_laser * point - laser;
+            let length = beam.length();
+            let along = beam / length.max(1e-9);
+            let mut way = 0.5 * CELL;
+            while way < length - SHORT {
+                self.pass(Cell::at(laser + along * way));
+                way += CELL;
+            }
+        }
+    }
+
+    /// Something that stands in a cell whatever was seen there so far.
+    pub(super) fn block(&mut self, cell: Cell, moment: u16) {
+        self.change(cell, |spot| {
+            spot.evidence = MOST;
+            spot.met = moment;
+        });
+    }
+
+    fn hit(&mut self, cell: Cell, moment: u16) {
+        let scan = self.scan;
+        self.change(cell, |spot| {
+            if spot.scan == scan {
+                return;
+            }
+            spot.scan = scan;
+            spot.evidence = (spot.evidence.max(-1) + 1).min(MOST);
+            if spot.is_occupied() {
+                if spot.visits == 0 || moment.wrapping_sub(spot.met) > AGAIN {
+                    spot.visits = spot.visits.saturating_add(1);
+                }
+                spot.met = moment;
+            }
+        });
+    }
+
+    fn pass(&mut self, cell: Cell) {
+        let scan = self.scan;
+        let spot = self.spots.get(cell);
+        if spot.scan == scan {
+            return;
+        }
+        self.change(cell, |spot| {
+            spot.scan = scan;
+            spot.evidence = (spot.evidence - 1).max(LOOKED_THROUGH);
+            spot.marks |= SEEN_FREE;
+            if spot.evidence == LOOKED_THROUGH {
+                spot.marks &= !WALL;
+            }
+        });
+    }
+
+    /// A wall of the map.
+    pub(super) fn remember_wall(&mut self, wall: Segment) {
+        self.trace(wall, 0, |spot| {
+            if spot.evidence > LOOKED_THROUGH && !spot.is_travelled() {
+                spot.marks |= WALL;
+            }
+        });
+    }
+
+    /// A stretch that the robot has gone: where its middle was nothing stands.
+    pub(super) fn travel(&mut self, stretch: Segment) {
+        self.trace(stretch, 1, |spot| {
+            spot.marks = (spot.marks | TRAVELLED) & !WALL;
+        });
+        let [low, high] = self.bounds.unwrap_or([stretch.a; 2]);
+        let ends = [stretch.a, stretch.b];
+        self.bounds = Some(ends.iter().fold([low, high], |[low, high], &end| [low.min(end), high.max(end)]));
+    }
+
+    /// Changes the cells that a line crosses, and those around.
+    fn trace(&mut self, line: Segment, around: i32, change: impl Fn(&mut Spot)) {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "lengths are short")]
+        let pieces = ((line.length() / (0.5 * CELL)).ceil() as u32).clamp(1, 10_000);
+        let mut last = None;
+        for k in 0..=pieces {
+            let cell = Cell::at(line.a.lerp(line.b, f64::from(k) / f64::from(pieces)));
+            if last.replace(cell) == Some(cell) {
+                continue;
+            }
+            for dy in -around..=around {
+                for dx in -around..=around {
+                    self.change(cell.moved([dx, dy]), &change);
+                }
+            }
+        }
+    }
+
+    /// Changes a cell, and keeps the count of occupied cells around its neighbours.
+    fn change(&mut self, cell: Cell, change: impl Fn(&mut Spot)) {
+        let spot = self.spots.get_mut(cell);
+        let was = spot.is_occupied();
+        change(spot);
+        let is = spot.is_occupied();
+        if was == is {
+            return;
+        }
+        for dy in -CROWD..=CROWD {
+            for dx in -CROWD..=CROWD {
+                if dx * dx + dy * dy <= CROWD * CROWD {
+                    let crowd = &mut self.spots.get_mut(cell.moved([dx, dy])).crowd;
+                    *crowd = if is { crowd.saturating_add(1) } else { crowd.saturating_sub(1) };
+                }
+            }
+        }
+    }
+}

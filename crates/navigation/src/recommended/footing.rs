@@ -1,0 +1,157 @@
+use serde::{Deserialize, Serialize};
+
+use super::{
+    floor::{CROWD, Floor, Spot},
+    tiles::{CELL, Cell},
+};
+
+/// What it costs to go somewhere, by what is remembered of the floor there; a metre of floor that is
+/// known to be free costs 1.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Footing {
+    /// A metre of floor that was never seen.
+    pub unknown: f64,
+    /// What is believed to stand somewhere keeps the robot's middle this far away, metres.
+    pub hard: f64,
+    /// On its own way the robot has passed nearer than that; there this is enough, metres.
+    pub hard_travelled: f64,
+    /// Nearer than this to something each metre costs …
+    pub soft: f64,
+    /// … so many times as much.
+    pub soft_cost: f64,
+    /// What stands nearer to the robot than this is trusted, metres, …
+    pub near: f64,
+    /// … and what was found again in so many of the last decisions.
+    pub recent: u16,
+    /// What is neither leaves a barrier: a metre of it costs this, times (1 + visits)².
+    pub barrier: f64,
+    /// A metre within the robot's leeway although something seems to stand too near.
+    pub squeeze: f64,
+    /// So near to itself the robot may squeeze, metres.
+    pub leeway: f64,
+}
+
+impl Default for Footing {
+    fn default() -> Self {
+        Self {
+            unknown: 2.0,
+            hard: 0.275,
+            hard_travelled: 0.21,
+            soft: 0.40,
+            soft_cost: 1.6,
+            near: 5.0,
+            recent: 10,
+            barrier: 100.0,
+            squeeze: 20.0,
+            leeway: 0.35,
+        }
+    }
+}
+
+/// Which part of the memory is trusted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Trust {
+    /// All of it, each thing as the parameters say.
+    Memory,
+    /// What the last scans found, and the way that the robot itself has gone (§3.3.4).
+    OwnWay,
+}
+
+/// What one decision makes of the floor.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ease<'a> {
+    pub(super) floor: &'a Floor,
+    pub(super) footing: &'a Footing,
+    pub(super) trust: Trust,
+    pub(super) robot: Cell,
+    pub(super) moment: u16,
+}
+
+/// What a cell costs, in tenths a metre; the highest value stands for "no way".
+pub(super) const NO_WAY: u16 = u16::MAX;
+/// Beyond the way that it has gone everything costs so much more for a robot that trusts nothing else.
+const OFF_THE_WAY: f64 = 4.0;
+/// Found within so many decisions counts as seen by the last scans.
+const LAST: u16 = 3;
+
+impl Ease<'_> {
+    /// What a metre there costs, in tenths.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a float saturates")]
+    pub(super) fn cost(&self, cell: Cell) -> u16 {
+        let spot = self.floor.spot(cell);
+        let base = self.base(spot);
+        if spot.crowd() == 0 {
+            return (10.0 * base) as u16;
+        }
+        let (nearest, barrier) = self.around(cell);
+        let keep = if spot.is_travelled() { self.footing.hard_travelled } else { self.footing.hard };
+        let cost = if nearest < keep {
+            if !self.within_leeway(cell) {
+                return NO_WAY;
+            }
+            base * self.footing.squeeze
+        } else if nearest < self.footing.soft {
+            base * self.footing.soft_cost
+        } else {
+            base
+        };
+        ((10.0 * (cost + barrier)) as u16).min(NO_WAY - 1)
+    }
+
+    fn base(&self, spot: Spot) -> f64 {
+        match self.trust {
+            _ if spot.is_travelled() => 1.0,
+            Trust::Memory if spot.is_known_free() => 1.0,
+            Trust::Memory => self.footing.unknown,
+            Trust::OwnWay => OFF_THE_WAY,
+        }
+    }
+
+    fn within_leeway(&self, cell: Cell) -> bool {
+        let leeway = self.footing.leeway / CELL;
+        f64::from(cell.distance_squared(self.robot)) <= leeway * leeway
+    }
+
+    /// Metres to the nearest thing that is trusted, and what the others cost.
+    fn around(&self, cell: Cell) -> (f64, f64) {
+        let (mut nearest, mut barrier) = (i32::MAX, 0.0_f64);
+        for dy in -CROWD..=CROWD {
+            for dx in -CROWD..=CROWD {
+                let distance = dx * dx + dy * dy;
+                if distance > CROWD * CROWD {
+                    continue;
+                }
+                let at = cell.moved([dx, dy]);
+                let spot = self.floor.spot(at);
+                if !spot.is_occupied() {
+                    continue;
+                }
+                if self.is_trusted(at, spot) {
+                    nearest = nearest.min(distance);
+                } else if self.trust == Trust::Memory && self.is_in_the_way(distance) {
+                    let times = 1.0 + f64::from(spot.visits());
+                    barrier = barrier.max(self.footing.barrier * times * times);
+                }
+            }
+        }
+        (if nearest == i32::MAX { f64::INFINITY } else { f64::from(nearest).sqrt() * CELL }, barrier)
+    }
+
+    fn is_in_the_way(&self, distance_squared: i32) -> bool {
+        let hard = self.footing.hard / CELL;
+        f64::from(distance_squared) < hard * hard
+    }
+
+    fn is_trusted(&self, at: Cell, spot: Spot) -> bool {
+        let age = self.moment.wrapping_sub(spot.met());
+        match self.trust {
+            Trust::OwnWay => spot.is_found() && age <= LAST,
+            Trust::Memory => {
+                let near = self.footing.near / CELL;
+                (spot.is_found() && age <= self.footing.recent)
+                    || f64::from(at.distance_squared(self.robot)) <= near * near
+            }
+        }
+    }
+}

@@ -1,0 +1,144 @@
+use cogmap_geometry::{DVec2, trig};
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    HomingEvent, Mode,
+    strategy::{Proposal, Situation, Wish},
+};
+
+/// When [`Rescue`] takes over, and when the robot gives up.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct RescueParams {
+    /// Within this distance the robot has not come on, metres.
+    pub progress: f64,
+    /// So many decisions without coming on call the fail-safe.
+    pub patience: usize,
+    /// The fail-safe has done its work so far from where it was called, metres.
+    pub rescued: f64,
+    /// So often it may be called before the robot gives up.
+    pub calls: usize,
+    /// So often the robot looks around before it believes that there is no way.
+    pub looks: usize,
+    /// The robot gives up after so many times the length of its way out …
+    pub budget: f64,
+    /// … and so many metres.
+    pub budget_base: f64,
+}
+
+impl Default for RescueParams {
+    fn default() -> Self {
+        Self { progress: 0.4, patience: 10, rescued: 1.5, calls: 8, looks: 4, budget: 8.0, budget_base: 60.0 }
+    }
+}
+
+/// What leads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Lead {
+    /// All that is remembered.
+    Planning,
+    /// The way that the robot has gone itself, and what it sees right now (§3.3.4).
+    OwnWay,
+}
+
+/// The fail-safe: notices that the robot does not come on.
+#[derive(Clone, Debug)]
+pub(super) struct Rescue {
+    params: RescueParams,
+    lead: Lead,
+    /// From where the robot should come on, and the decisions since.
+    anchor: Option<DVec2>,
+    waited: usize,
+    /// Where the fail-safe was called.
+    called: Option<DVec2>,
+    calls: usize,
+    looks: usize,
+    last: Option<DVec2>,
+    /// Metres that the robot may still go.
+    left: f64,
+}
+
+impl Lead {
+    pub(super) fn mode(self) -> Mode {
+        match self {
+            Self::Planning => Mode::Planning,
+            Self::OwnWay => Mode::Route,
+        }
+    }
+}
+
+impl Rescue {
+    /// A fail-safe for a robot that has come so far, metres.
+    pub(super) fn new(params: &RescueParams, way_out: f64) -> Self {
+        Self {
+            params: params.clone(),
+            lead: Lead::Planning,
+            anchor: None,
+            waited: 0,
+            called: None,
+            calls: 0,
+            looks: 0,
+            last: None,
+            left: params.budget * way_out + params.budget_base,
+        }
+    }
+
+    /// What leads now that the robot is here, on the floor.
+    pub(super) fn lead(&mut self, robot: DVec2, events: &mut Vec<HomingEvent>) -> Lead {
+        self.left -= self.last.replace(robot).map_or(0.0, |last| last.distance(robot));
+        if self.anchor.is_none_or(|anchor| anchor.distance(robot) > self.params.progress) {
+            self.anchor = Some(robot);
+            self.waited = 0;
+        }
+        self.waited += 1;
+        if self.lead == Lead::OwnWay && self.called.is_none_or(|at| at.distance(robot) > self.params.rescued)
+        {
+            self.lead = Lead::Planning;
+            let why = "the robot has come on again and plans as before".to_owned();
+            events.push(HomingEvent::FailsafeOff { why });
+        }
+        if self.waited > self.params.patience {
+            self.waited = 0;
+            let why = format!("the robot has not come on for {} decisions", self.params.patience);
+            self.call(robot, why, events);
+        }
+        self.lead
+    }
+
+    fn call(&mut self, robot: DVec2, why: String, events: &mut Vec<HomingEvent>) {
+        self.calls += 1;
+        if self.lead == Lead::Planning {
+            self.lead = Lead::OwnWay;
+            self.called = Some(robot);
+            events.push(HomingEvent::FailsafeOn { why });
+        } else {
+            self.lead = Lead::Planning;
+        }
+    }
+
+    /// Why the robot should give up, where it has tried enough.
+    pub(super) fn is_spent(&self) -> Option<String> {
+        if self.calls > self.params.calls {
+            return Some(format!("the fail-safe has been called {} times in vain", self.params.calls));
+        }
+        (self.left < 0.0).then(|| "the robot has gone many times its way out without coming home".to_owned())
+    }
+
+    /// A way was found.
+    pub(super) fn settle(&mut self) {
+        self.looks = 0;
+    }
+
+    /// Looks around once more where there is no way; then gives up.
+    pub(super) fn no_way(&mut self, situation: &Situation) -> Proposal {
+        self.looks += 1;
+        if self.looks <= self.params.looks {
+            let why =
+                "every way that the robot knows or can think of seems closed: it looks around".to_owned();
+            let bearing = situation.belief.here_from_robot.heading + trig::FRAC_PI_2;
+            return Proposal::new(Wish::Face(bearing), Mode::Planning, why);
+        }
+        let why = "every way home that the robot knows or can think of is closed".to_owned();
+        Proposal::new(Wish::GiveUp, Mode::Planning, why)
+    }
+}

@@ -1,0 +1,229 @@
+use std::{cmp::Reverse, collections::BinaryHeap};
+
+use cogmap_geometry::DVec2;
+
+use super::{
+    footing::{Ease, NO_WAY},
+    tiles::{CELL, Cell, Tiles},
+};
+
+/// The eight ways on, counter-clockwise.
+const WAYS: [[i32; 2]; 8] = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]];
+/// Within so many cells of the robot and of home every cell counts, farther off every other: 4 m.
+const FINE: i32 = 40;
+/// Home is reached within so many cells.
+const REACHED: f64 = 2.0;
+/// Where it cannot be, the way may end so near, metres, …
+pub(super) const NEAR_HOME: f64 = 1.2;
+/// … each metre that is missing costing so much.
+const SHORT_OF_HOME: f64 = 60.0;
+/// No way is looked for beyond so many cells.
+const PATIENCE: usize = 150_000;
+/// How far around what was travelled a way may lead, metres.
+const MARGIN: f64 = 12.0;
+
+/// A way over the floor, and what it costs; a metre of free floor costs 1.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Way {
+    /// Its corners, without its beginning, metres.
+    pub(super) corners: Vec<DVec2>,
+    /// What it costs, what is missing to home included.
+    pub(super) cost: f64,
+}
+
+/// Looks for a way (A*).
+pub(super) struct Search<'a> {
+    ease: Ease<'a>,
+    home: DVec2,
+    nodes: Tiles<Node>,
+    bounds: [Cell; 2],
+    expanded: usize,
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Node {
+    /// The least cost known so far, in tenths of a millimetre of free floor; 0: not reached yet.
+    cost: u32,
+    /// What a metre there costs, in tenths; 0: not asked yet.
+    ease: u16,
+    /// The way that led there, and from how many cells away.
+    way: u8,
+    step: u8,
+}
+
+/// A node on the heap, or the end: what it costs and may still cost, and how it was reached.
+type Open = Reverse<(u32, u32, Cell, bool)>;
+
+impl<'a> Search<'a> {
+    /// A search on what one decision makes of the floor, for a way to a point, metres.
+    pub(super) fn new(ease: Ease<'a>, home: DVec2) -> Self {
+        let robot = ease.robot.middle();
+        let [low, high] = ease.floor.travelled().unwrap_or([robot; 2]);
+        let low = low.min(robot).min(home) - MARGIN;
+        let high = high.max(robot).max(home) + MARGIN;
+        Self { ease, home, nodes: Tiles::default(), bounds: [Cell::at(low), Cell::at(high)], expanded: 0 }
+    }
+
+    /// Cells that were looked at.
+    pub(super) fn expanded(&self) -> usize {
+        self.expanded
+    }
+
+    /// The cheapest way from where the robot is; `None` where there is none.
+    pub(super) fn way(&mut self) -> Option<Vec<Cell>> {
+        let start = self.ease.robot;
+        let mut open: BinaryHeap<Open> = BinaryHeap::new();
+        self.nodes.get_mut(start).cost = 1;
+        open.push(Reverse((self.ahead(start), 1, start, false)));
+        while let Some(Reverse((_, cost, cell, end))) = open.pop() {
+            if end {
+                return Some(self.back_from(cell));
+            }
+            if self.nodes.get(cell).cost != cost {
+                continue;
+            }
+            self.expanded += 1;
+            if self.expanded > PATIENCE {
+                return None;
+            }
+            if let Some(missing) = self.missing(cell) {
+                open.push(Reverse((cost.saturating_add(missing), cost, cell, true)));
+            }
+            self.expand(cell, cost, &mut open);
+        }
+        None
+    }
+
+    fn expand(&mut self, cell: Cell, cost: u32, open: &mut BinaryHeap<Open>) {
+        let fine = self.is_fine(cell);
+        let even = cell.x & 1 == 0 && cell.y & 1 == 0;
+        let step = if fine || !even { 1 } else { 2 };
+        let from = self.ease(cell);
+        for (way, [dx, dy]) in (0_u8..).zip(WAYS) {
+            let to = cell.moved([dx * step, dy * step]);
+            if !self.is_within(to) || (!fine && (to.x & 1 != 0 || to.y & 1 != 0)) {
+                continue;
+            }
+            let ease = self.ease(to);
+            if ease == NO_WAY || (step == 2 && self.ease(cell.moved([dx, dy])) == NO_WAY) {
+                continue;
+            }
+            let length = if dx != 0 && dy != 0 { 141 } else { 100 };
+            let mean = (u32::from(from.min(NO_WAY - 1)) + u32::from(ease)).div_ceil(2);
+            let cost = cost.saturating_add(mean * length * step.unsigned_abs());
+            let node = self.nodes.get_mut(to);
+            if node.cost == 0 || cost < node.cost {
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 or 2")]
+                let step = step as u8;
+                *node = Node { cost, way, step, ..*node };
+                open.push(Reverse((cost.saturating_add(self.ahead(to)), cost, to, false)));
+            }
+        }
+    }
+
+    fn is_fine(&self, cell: Cell) -> bool {
+        cell.distance_squared(self.ease.robot) <= FINE * FINE
+            || cell.distance_squared(Cell::at(self.home)) <= FINE * FINE
+    }
+
+    fn is_within(&self, cell: Cell) -> bool {
+        let [low, high] = self.bounds;
+        (low.x..=high.x).contains(&cell.x) && (low.y..=high.y).contains(&cell.y)
+    }
+
+    /// What a metre costs at a cell, in tenths.
+    fn ease(&mut self, cell: Cell) -> u16 {
+        let known = self.nodes.get(cell).ease;
+        if known != 0 {
+            return known;
+        }
+        let ease = self.ease.cost(cell);
+        self.nodes.get_mut(cell).ease = ease;
+        ease
+    }
+
+    /// What the way from a cell to home costs at least.
+    fn ahead(&self, cell: Cell) -> u32 {
+        let home = Cell::at(self.home);
+        let (dx, dy) = (cell.x.abs_diff(home.x), cell.y.abs_diff(home.y));
+        let straight = 1000 * dx.max(dy) + 410 * dx.min(dy);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small constant")]
+        straight.saturating_sub((REACHED * 1410.0) as u32)
+    }
+
+    /// What it costs to end at a cell instead of at home; `None` where that is too far.
+    fn missing(&self, cell: Cell) -> Option<u32> {
+        let distance = cell.middle().distance(self.home);
+        let missing = (distance - REACHED * CELL).max(0.0);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 600,000")]
+        (distance <= NEAR_HOME).then_some((missing * SHORT_OF_HOME * 10_000.0) as u32)
+    }
+
+    /// The cells of the way that led to one, from the start.
+    fn back_from(&self, end: Cell) -> Vec<Cell> {
+        let mut cells = vec![end];
+        let mut cell = end;
+        while cell != self.ease.robot {
+            let Node { way, step, .. } = self.nodes.get(cell);
+            let [dx, dy] = WAYS[usize::from(way) % WAYS.len()];
+            cell = cell.moved([-dx * i32::from(step), -dy * i32::from(step)]);
+            cells.push(cell);
+        }
+        cells.reverse();
+        cells
+    }
+
+    /// What the straight line between two points costs; `None` where it is not free.
+    pub(super) fn line(&mut self, from: DVec2, to: DVec2) -> Option<f64> {
+        let length = from.distance(to);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "lengths are short")]
+        let pieces = ((length / (0.5 * CELL)).ceil() as u32).clamp(1, 100_000);
+        let mut sum = 0.0;
+        for k in 0..pieces {
+            let share = (f64::from(k) + 0.5) / f64::from(pieces);
+            let ease = self.ease(Cell::at(from.lerp(to, share)));
+            if ease == NO_WAY {
+                return None;
+            }
+            sum += f64::from(ease);
+        }
+        Some(0.1 * sum / f64::from(pieces) * length)
+    }
+
+    /// What a way costs from a point along its corners, what is missing to home included.
+    pub(super) fn cost(&mut self, from: DVec2, corners: &[DVec2]) -> Option<f64> {
+        let mut cost = 0.0;
+        let mut last = from;
+        for &corner in corners {
+            cost += self.line(last, corner)?;
+            last = corner;
+        }
+        let missing = (last.distance(self.home) - REACHED * CELL).max(0.0);
+        (missing <= NEAR_HOME).then_some(cost + missing * SHORT_OF_HOME)
+    }
+
+    /// Leaves out the points of a way that straight lines can do without at no more cost.
+    pub(super) fn pull_tight(&mut self, from: DVec2, points: &[DVec2]) -> Vec<DVec2> {
+        let mut corners = Vec::new();
+        let (mut at, mut next) = (from, 0);
+        while next < points.len() {
+            let mut along = self.line(at, points[next]).unwrap_or(f64::INFINITY);
+            let mut last = next;
+            for k in next + 1..points.len() {
+                along += self.line(points[k - 1], points[k]).unwrap_or(f64::INFINITY);
+                match self.line(at, points[k]) {
+                    Some(straight) if straight <= along + 0.02 => {
+                        last = k;
+                        along = straight;
+                    }
+                    Some(_) => {}
+                    None => break,
+                }
+            }
+            at = points[last];
+            corners.push(at);
+            next = last + 1;
+        }
+        corners
+    }
+}

@@ -1,0 +1,147 @@
+use std::sync::Arc;
+
+use cogmap_geometry::DVec2;
+
+/// The side of a cell, metres.
+pub(super) const CELL: f64 = 0.1;
+/// Cells on the side of a tile.
+const SIDE: i32 = 32;
+const AREA: usize = (SIDE * SIDE) as usize;
+/// No cell is kept farther from the origin than this, in cells: 3 km.
+const FAR: i32 = 30_000;
+
+/// A square of the floor.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Cell {
+    pub(super) x: i32,
+    pub(super) y: i32,
+}
+
+impl Cell {
+    /// The cell that a point lies in.
+    #[allow(clippy::cast_possible_truncation, reason = "a float that is out of range saturates")]
+    pub(super) fn at(point: DVec2) -> Self {
+        let [x, y] = [point.x, point.y].map(|along| ((along / CELL).floor() as i32).clamp(-FAR, FAR));
+        Self { x, y }
+    }
+
+    /// Its middle, metres.
+    pub(super) fn middle(self) -> DVec2 {
+        DVec2::new(f64::from(self.x) + 0.5, f64::from(self.y) + 0.5) * CELL
+    }
+
+    pub(super) fn moved(self, [dx, dy]: [i32; 2]) -> Self {
+        Self { x: self.x + dx, y: self.y + dy }
+    }
+
+    /// Squared distance between the middles, in cells.
+    pub(super) fn distance_squared(self, other: Self) -> i32 {
+        let (dx, dy) = (self.x - other.x, self.y - other.y);
+        dx * dx + dy * dy
+    }
+}
+
+/// Something about each cell of the floor, kept only where it was ever written. A clone shares
+/// everything until one of the two is written to.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Tiles<T> {
+    low: [i32; 2],
+    size: [i32; 2],
+    tiles: Vec<Option<Arc<[T; AREA]>>>,
+}
+
+impl<T: Copy + Default> Tiles<T> {
+    /// What is known of a cell.
+    pub(super) fn get(&self, cell: Cell) -> T {
+        let (tile, within) = split(cell);
+        match self.slot(tile).and_then(|slot| self.tiles[slot].as_ref()) {
+            Some(tile) => tile[within],
+            None => T::default(),
+        }
+    }
+
+    /// What is known of a cell, for writing.
+    pub(super) fn get_mut(&mut self, cell: Cell) -> &mut T {
+        let (tile, within) = split(cell);
+        let slot = match self.slot(tile) {
+            Some(slot) => slot,
+            None => self.grow(tile),
+        };
+        let tile = self.tiles[slot].get_or_insert_with(|| Arc::new([T::default(); AREA]));
+        &mut Arc::make_mut(tile)[within]
+    }
+
+    #[allow(clippy::cast_sign_loss, reason = "both are checked to be positive")]
+    fn slot(&self, tile: [i32; 2]) -> Option<usize> {
+        let [x, y] = [tile[0] - self.low[0], tile[1] - self.low[1]];
+        let inside = (0..self.size[0]).contains(&x) && (0..self.size[1]).contains(&y);
+        inside.then_some((y * self.size[0] + x) as usize)
+    }
+
+    /// Widens what can be kept so that a tile fits in.
+    fn grow(&mut self, tile: [i32; 2]) -> usize {
+        let mut wider = Self::default();
+        for axis in 0..2 {
+            let [low, high] = match self.size[axis] {
+                0 => [tile[axis], tile[axis]],
+                size => [self.low[axis], self.low[axis] + size - 1],
+            };
+            wider.low[axis] = low.min(tile[axis] - 1);
+            wider.size[axis] = high.max(tile[axis] + 1) - wider.low[axis] + 1;
+        }
+        #[allow(clippy::cast_sign_loss, reason = "sizes are positive")]
+        wider.tiles.resize((wider.size[0] * wider.size[1]) as usize, None);
+        for y in 0..self.size[1] {
+            for x in 0..self.size[0] {
+                let tile = [self.low[0] + x, self.low[1] + y];
+                if let (Some(from), Some(to)) = (self.slot(tile), wider.slot(tile)) {
+                    wider.tiles[to] = self.tiles[from].take();
+                }
+            }
+        }
+        *self = wider;
+        self.slot(tile).unwrap_or(0)
+    }
+}
+
+#[allow(clippy::cast_sign_loss, reason = "what is left of a Euclidean division is positive")]
+fn split(cell: Cell) -> ([i32; 2], usize) {
+    let within = cell.y.rem_euclid(SIDE) * SIDE + cell.x.rem_euclid(SIDE);
+    ([cell.x.div_euclid(SIDE), cell.y.div_euclid(SIDE)], within as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn what_was_written_is_read_and_nothing_else(cells in prop::collection::btree_map((-300i32..300, -300i32..300), 1u32.., 1..40)) {
+            let mut tiles = Tiles::<u32>::default();
+            for (&(x, y), &value) in &cells {
+                *tiles.get_mut(Cell { x, y }) = value;
+            }
+            for (&(x, y), &value) in &cells {
+                prop_assert_eq!(tiles.get(Cell { x, y }), value);
+                let beside = cells.get(&(x + 1, y)).copied().unwrap_or(0);
+                prop_assert_eq!(tiles.get(Cell { x: x + 1, y }), beside);
+            }
+        }
+
+        #[test]
+        fn the_middle_of_a_cell_lies_in_it(x in -3000i32..3000, y in -3000i32..3000) {
+            let cell = Cell { x, y };
+            prop_assert_eq!(Cell::at(cell.middle()), cell);
+        }
+    }
+
+    #[test]
+    fn a_clone_keeps_what_it_had() {
+        let mut tiles = Tiles::<u32>::default();
+        *tiles.get_mut(Cell { x: 3, y: 4 }) = 7;
+        let kept = tiles.clone();
+        *tiles.get_mut(Cell { x: 3, y: 4 }) = 8;
+        assert_eq!((kept.get(Cell { x: 3, y: 4 }), tiles.get(Cell { x: 3, y: 4 })), (7, 8));
+    }
+}
