@@ -4,7 +4,6 @@
 //! beside them into rooms, [`doorway`] lets people through the walls, [`furniture`] fills each [`room`]
 //! with [`piece`]s, [`outline`] draws the walls, and [`outing`] takes a robot somewhere. All of it is ours. Lengths are whole centimetres until the last moment, so that walls meet.
 
-mod dice;
 mod doorway;
 mod furniture;
 mod layout;
@@ -15,14 +14,13 @@ mod rect;
 mod room;
 mod space;
 
-use dice::Dice;
 use doorway::Doorway;
 use layout::Layout;
 use outing::Outing;
 use rect::{Rect, metres};
 use space::{Kind, Space};
 
-use crate::{Room, Start, World};
+use crate::{Room, Start, World, dice::Dice};
 
 /// How thick outer walls are, centimetres.
 const OUTER_WALL: i32 = 30;

@@ -1,9 +1,8 @@
 use super::{
-    dice::Dice,
     rect::{Rect, metres},
     space::{Kind, Space},
 };
-use crate::Door;
+use crate::{Door, dice::Dice};
 
 /// How wide a door is, centimetres.
 const DOOR: [i32; 2] = [85, 100];

@@ -1,7 +1,7 @@
 use cogmap_geometry::{DVec2, Segment};
 
-use super::{Building, dice::Dice, doorway::Doorway, piece::Piece, rect::metres, room::Room, space::Kind};
-use crate::{BoxObstacle, Door, Post};
+use super::{Building, doorway::Doorway, piece::Piece, rect::metres, room::Room, space::Kind};
+use crate::{BoxObstacle, Door, Post, dice::Dice};
 
 /// How much room a walker needs around the middle: in rooms what the robot needs and 10 cm, in
 /// corridors more, metres.

@@ -1,4 +1,5 @@
-use super::{dice::Dice, rect::Rect};
+use super::rect::Rect;
+use crate::dice::Dice;
 
 /// The width of a corridor, centimetres.
 const CORRIDOR: [i32; 2] = [160, 240];

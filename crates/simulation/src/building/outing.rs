@@ -1,8 +1,9 @@
 use cogmap_geometry::{DVec2, Segment};
 
-use super::{Building, dice::Dice, rect::metres, space::Space};
+use super::{Building, rect::metres, space::Space};
 use crate::{
     BodyParams, Start, World,
+    dice::Dice,
     driver::{AMPLE, AWAY, Planner, Tour},
 };
 

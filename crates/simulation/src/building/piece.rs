@@ -1,7 +1,6 @@
 use cogmap_geometry::{DVec2, trig};
 
-use super::dice::Dice;
-use crate::{BoxObstacle, Post};
+use crate::{BoxObstacle, Post, dice::Dice};
 
 /// A piece of furniture as the laser meets it, its back in the middle of its wall: x along the wall, y
 /// into the room, metres.

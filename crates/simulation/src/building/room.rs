@@ -1,11 +1,10 @@
 use cogmap_geometry::{DVec2, Segment, trig};
 
 use super::{
-    dice::Dice,
     piece::Piece,
     rect::{Rect, metres},
 };
-use crate::{BoxObstacle, Post};
+use crate::{BoxObstacle, Post, dice::Dice};
 
 /// Edge of the fields in which a room is looked at, metres.
 const FIELD: f64 = 0.1;

@@ -1,8 +1,8 @@
 use super::{
-    dice::Dice,
     layout::{Layout, Strip},
     rect::Rect,
 };
+use crate::dice::Dice;
 
 /// A room or a corridor.
 #[derive(Clone, Debug)]

@@ -3,37 +3,37 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::chance::uniform;
 
-/// The one source of chance of a building.
-pub(super) struct Dice(Pcg64Mcg);
+/// The one source of chance of something that is made up from a seed.
+pub(crate) struct Dice(Pcg64Mcg);
 
 impl Dice {
-    pub(super) fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         Self(Pcg64Mcg::seed_from_u64(seed))
     }
 
     /// A whole number, both ends included; `low` where there is nothing between.
-    pub(super) fn between(&mut self, low: i32, high: i32) -> i32 {
+    pub(crate) fn between(&mut self, low: i32, high: i32) -> i32 {
         let range = f64::from((high - low).max(0)) + 1.0;
         low + (uniform(&mut self.0) * range) as i32
     }
 
     /// A number from an interval.
-    pub(super) fn within(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn within(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * uniform(&mut self.0)
     }
 
     /// `true` in so many of 100 cases.
-    pub(super) fn falls(&mut self, per_cent: i32) -> bool {
+    pub(crate) fn falls(&mut self, per_cent: i32) -> bool {
         self.between(1, 100) <= per_cent
     }
 
     /// One of a list; `None` of an empty one.
-    pub(super) fn pick<T: Copy>(&mut self, list: &[T]) -> Option<T> {
+    pub(crate) fn pick<T: Copy>(&mut self, list: &[T]) -> Option<T> {
         list.get(self.between(0, list.len() as i32 - 1) as usize).copied()
     }
 
     /// The list in another order (Fisher and Yates).
-    pub(super) fn shuffled<T>(&mut self, mut list: Vec<T>) -> Vec<T> {
+    pub(crate) fn shuffled<T>(&mut self, mut list: Vec<T>) -> Vec<T> {
         for last in (1..list.len()).rev() {
             list.swap(last, self.between(0, last as i32) as usize);
         }
