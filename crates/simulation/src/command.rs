@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-use crate::Strategy;
+use crate::{Strategy, WorldChange};
 
 /// What a person or a program tells the robot.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -36,6 +36,9 @@ pub enum Command {
         /// How.
         strategy: Strategy,
     },
+    /// Not to the robot, which need not notice: something is changed around it. Refused where the robot
+    /// or somebody stands in the way.
+    Change(WorldChange),
 }
 
 /// A command and the tick at whose beginning it takes effect.

@@ -2,6 +2,8 @@ use cogmap_mapping::Event;
 use cogmap_navigation::HomingEvent;
 use serde::Serialize;
 
+use crate::WorldChange;
+
 /// Something worth a line in `events.jsonl` and a mark on the timeline, whoever it happened to.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
@@ -25,4 +27,6 @@ pub enum WorldEvent {
     },
     /// The user took over from a robot that was on its way home.
     Stopped,
+    /// Something was changed around the robot.
+    WorldChanged(WorldChange),
 }

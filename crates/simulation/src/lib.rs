@@ -47,7 +47,7 @@ pub use command::{Command, TimedCommand};
 pub use driver::{Driver, random_route, way_length};
 pub use episode::{Episode, Setting};
 pub use event::{SessionEvent, WorldEvent};
-pub use laser::Laser;
+pub use laser::{Laser, SOMEBODY};
 pub use odometer::{Odometer, WheelTurns};
 pub use raycast::{Disc, Fan, Hit, RayGrid};
 pub use robot::{BodyParams, LaserParams, OdometryErrors, Robot};
@@ -55,9 +55,9 @@ pub use session::{
     Ending, Homeward, Journal, MapperJournal, Pilot, Recording, SESSION_FORMAT, Session, SessionRecord,
     Source, Stamped, WayHome, wall_of,
 };
-pub use solids::{Nearest, Obstacles, Solids};
+pub use solids::{Nearest, Obstacles, Solids, Surroundings};
 pub use strategy::Strategy;
-pub use world::{BoxObstacle, Door, Person, Post, Problem, Room, Start, World};
+pub use world::{BoxObstacle, Door, Person, Post, Problem, Room, Start, World, WorldChange};
 
 /// Seconds of one tick: the time step of the simulation.
 pub const TICK: f64 = 0.02;

@@ -5,8 +5,10 @@ mod drive;
 mod feed;
 mod journal;
 mod oracle;
+mod people;
 mod pilot;
 mod record;
+mod stage;
 mod variation;
 mod way_home;
 
@@ -27,7 +29,7 @@ pub use pilot::Pilot;
 pub use record::{SESSION_FORMAT, SessionRecord, Source};
 pub use way_home::{Ending, WayHome};
 
-use crate::{Command, Problem, SessionEvent, Solids, Strategy, World, WorldEvent};
+use crate::{BoxObstacle, Command, Disc, Problem, SessionEvent, Solids, Strategy, World, WorldEvent};
 
 /// A world, a robot, a seed and commands, or a recorded log; and the mappers that are fed from it.
 /// The same record always gives the same journal, to the last bit, on every platform.
@@ -131,6 +133,15 @@ impl Session {
         while let Feed::Drive(drive) = &mut self.live.feed
             && let Some(command) = drive.hear(self.record.commands())
         {
+            if let Command::Change(change) = command {
+                if drive.change(&change) == Ok(true) {
+                    self.journal.note(&SessionEvent::World(WorldEvent::WorldChanged(change)));
+                }
+                continue;
+            }
+            if drive.refusal(&command).is_some() {
+                continue;
+            }
             drive.obey(&command);
             if self.live.pilot.take().is_some() {
                 self.journal.note(&SessionEvent::World(WorldEvent::Stopped));
@@ -174,16 +185,28 @@ impl Session {
 
     /// Tells the robot something, from the next tick on. What had been recorded for later is dropped:
     /// going on from an earlier moment makes another run of it. A log takes no commands, and a robot on
-    /// its way home need not be told again.
+    /// its way home need not be told again. What is refused is not written down.
     pub fn command(&mut self, command: Command) {
         if let (Some(pilot), Command::GoHome { strategy }) = (self.homing(), &command)
             && pilot.strategy() == strategy
         {
             return;
         }
+        if self.refusal(&command).is_some() {
+            return;
+        }
         let tick = self.live.feed.position();
         if self.record.tell(tick, command) {
             self.checkpoints.forget_after(tick);
+        }
+    }
+
+    /// What speaks against a command at this moment, in words for people; `None` where it will be obeyed.
+    #[must_use]
+    pub fn refusal(&self, command: &Command) -> Option<String> {
+        match &self.live.feed {
+            Feed::Drive(drive) => drive.refusal(command),
+            Feed::Log { .. } => Some("a recorded log takes no commands".to_owned()),
         }
     }
 
@@ -259,6 +282,24 @@ impl Session {
         match &self.live.feed {
             Feed::Drive(drive) => Some(drive.world()),
             Feed::Log { .. } => None,
+        }
+    }
+
+    /// The boxes by their numbers, `None` where one was taken away; none for logs.
+    #[must_use]
+    pub fn boxes(&self) -> &[Option<BoxObstacle>] {
+        match &self.live.feed {
+            Feed::Drive(drive) => drive.boxes(),
+            Feed::Log { .. } => &[],
+        }
+    }
+
+    /// The people, where they are now; none for logs.
+    #[must_use]
+    pub fn people(&self) -> &[Disc] {
+        match &self.live.feed {
+            Feed::Drive(drive) => drive.people(),
+            Feed::Log { .. } => &[],
         }
     }
 

@@ -3,7 +3,7 @@ use proptest::prelude::*;
 use rand_core::SeedableRng;
 
 use super::*;
-use crate::{Odometer, Solids};
+use crate::{Obstacles, Odometer, Solids};
 
 fn robot(name: &str) -> Robot {
     Robot::named(name).unwrap()
@@ -11,7 +11,7 @@ fn robot(name: &str) -> Robot {
 
 fn room(walls: &[[[f64; 2]; 2]]) -> Obstacles {
     let segments = walls.iter().map(|[a, b]| Segment::new((*a).into(), (*b).into())).collect();
-    Obstacles::new(&Solids { segments, discs: Vec::new() })
+    Obstacles::new(&Solids { segments, ..Solids::default() })
 }
 
 fn square() -> Obstacles {

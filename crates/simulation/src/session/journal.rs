@@ -3,7 +3,7 @@ use cogmap_mapping::{Event, Mapper, StepReport};
 use cogmap_navigation::Decision;
 
 use super::feed::Observation;
-use crate::{SessionEvent, Strategy, WorldEvent};
+use crate::{SOMEBODY, SessionEvent, Strategy, WorldEvent};
 
 /// A pose and when it was held.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -161,7 +161,8 @@ impl MapperJournal {
     }
 }
 
-/// The solid that most of the beams hit; of equals the one with the smallest number.
+/// The solid that most of the beams hit, of equals the one with the smallest number; `None` where that is
+/// somebody who walks about.
 #[must_use]
 pub fn wall_of(beams: &[Option<u32>]) -> Option<u32> {
     let mut hits: Vec<u32> = beams.iter().flatten().copied().collect();
@@ -172,5 +173,5 @@ pub fn wall_of(beams: &[Option<u32>]) -> Option<u32> {
             best = Some((run.len(), run[0]));
         }
     }
-    best.map(|(_, solid)| solid)
+    best.map(|(_, solid)| solid).filter(|&solid| solid != SOMEBODY)
 }

@@ -12,7 +12,9 @@ const ARRIVED: f64 = 0.35;
 /// The person at the controls takes the robot home (§3.1.4): the way of one who sees the building.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Oracle {
-    course: Option<Course>,
+    /// The plan, and how often the world had been changed when it was made.
+    course: Option<(usize, Course)>,
+    begun: bool,
 }
 
 impl Oracle {
@@ -22,14 +24,14 @@ impl Oracle {
         let (here, home) = (drive.world_from_robot(), world.start.position.into());
         let distance = here.position.distance(home);
         let mut planner = Planner::new(world, &[here.position, home], robot.body.radius);
-        let begins = self.course.is_none();
+        let begins = !std::mem::replace(&mut self.begun, true);
         let planned = match self.course.take() {
-            Some(course) => Ok(course),
-            None => Course::new(&mut planner, robot, here.position, &[home]),
+            Some((changes, course)) if changes == drive.changes() => Ok(course),
+            _ => Course::new(&mut planner, robot, here.position, &[home]),
         };
         let command = planned.map(|mut course| {
             let command = course.next_command(&mut planner, here);
-            self.course = Some(course);
+            self.course = Some((drive.changes(), course));
             command
         });
         let mut decision = match command {
