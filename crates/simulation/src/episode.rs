@@ -27,7 +27,7 @@ pub enum Setting {
     BoxesMoved,
     /// From the beginning cartons stand densely on both sides of a stretch of the way, 0.75 to 0.9 m apart.
     Narrow,
-    /// People walk across the way.
+    /// When the robot is told to go home, people begin to walk across the way and along it.
     People,
 }
 
@@ -80,10 +80,7 @@ impl Setting {
     /// with [`Setting::Furnished`].
     #[must_use]
     pub fn begins_furnished(self) -> bool {
-        matches!(
-            self,
-            Self::Furnished | Self::BoxesDropped | Self::DoorClosed | Self::NoWay | Self::BoxesMoved
-        )
+        !matches!(self, Self::Empty | Self::Narrow)
     }
 }
 
@@ -116,7 +113,7 @@ impl Episode {
             Setting::NoWay => changes.push(closed(world, route, false, &mut dice)?),
             Setting::BoxesMoved => *changes = cartons::moved(world, route, &mut dice)?,
             Setting::Narrow => world.boxes.extend(cartons::course(world, route, &mut dice)?),
-            Setting::People => world.people.extend(people::crossing(world, route, &mut dice)?),
+            Setting::People => *changes = people::crossing(world, route, &mut dice)?,
         }
         Some(episode)
     }
@@ -145,6 +142,7 @@ fn apply(world: &mut World, change: &WorldChange) {
                 (carton.center, carton.heading_deg) = (*center, *heading_deg);
             }
         }
+        WorldChange::AddPerson(person) => world.people.push(person.clone()),
         WorldChange::RemoveBox { .. } => {}
     }
 }

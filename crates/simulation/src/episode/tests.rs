@@ -23,7 +23,7 @@ fn every_setting_can_be_simulated_and_leaves_a_way_home_but_the_one_that_must_no
     }
     // Not every way leads through a door whose closing leaves another way; most of the rest can be had.
     assert!(made.iter().all(|&made| made >= 3), "{made:?}");
-    assert!([0, 1, 2, 5, 6].iter().all(|&k| made[k] >= 15), "{made:?}");
+    assert!([0, 1, 2, 5, 6, 7].iter().all(|&k| made[k] >= 15), "{made:?}");
 }
 
 #[test]
