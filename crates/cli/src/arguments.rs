@@ -4,7 +4,7 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use cogmap_formats::plan::MapServer;
 use cogmap_mapping::MapperSetup;
-use cogmap_simulation::Strategy;
+use cogmap_simulation::{Robot, Setting, Strategy};
 
 mod examples;
 
@@ -55,8 +55,8 @@ pub(crate) enum Request {
 /// `cogmap run`.
 #[derive(Debug, Args)]
 pub(crate) struct RunArguments {
-    /// World to drive in: NAME.world.json, a ROS map_server YAML with its picture, or a PNG or PGM
-    /// floor plan
+    /// World to drive in: NAME.world.json, a ROS map_server YAML with its picture, a PNG or PGM
+    /// floor plan, or generated:SEED, an office floor made from that seed
     pub(crate) world: PathBuf,
     #[command(flatten)]
     pub(crate) picture: PictureArguments,
@@ -114,7 +114,8 @@ pub(crate) struct StudyArguments {
     /// Experiment to run
     #[arg(value_name = "NAME")]
     pub(crate) name: Option<String>,
-    /// World files to run it in instead of its own: patterns such as 'worlds/*.world.json'
+    /// World files to run it in instead of its own: patterns such as 'worlds/*.world.json'; for `home`
+    /// also ROS map_server files
     #[arg(long, value_name = "GLOB", num_args = 1..)]
     pub(crate) worlds: Vec<String>,
     /// How many seeds [default: the experiment's own, see --help]
@@ -137,6 +138,17 @@ pub(crate) struct StudyArguments {
     #[arg(long, value_name = "K", requires = "log", value_parser = zero_or_above,
         allow_negative_numbers = true)]
     pub(crate) odometry_noise: Vec<f64>,
+    /// Robot, for `home`; give it again for more [default: all]
+    #[arg(long = "robot", value_name = "NAME", value_parser = PossibleValuesParser::new(Robot::NAMES))]
+    pub(crate) robots: Vec<String>,
+    /// What happens to the building, for `home`; give it again for more [default: all]
+    #[arg(long = "setting", value_name = "NAME",
+        value_parser = PossibleValuesParser::new(Setting::ALL.map(Setting::name)))]
+    pub(crate) settings: Vec<String>,
+    /// Who finds the way, for `home`; give it again for more [default: all]
+    #[arg(long = "strategy", value_name = "NAME",
+        value_parser = PossibleValuesParser::new(Strategy::names()))]
+    pub(crate) strategies: Vec<String>,
     /// Directory for runs.csv and summary.json; made if it is missing. Without it only the tables
     /// are shown
     #[arg(long, value_name = "DIR")]

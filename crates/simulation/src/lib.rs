@@ -25,9 +25,12 @@
 //! ```
 
 mod body;
+mod building;
 mod chance;
 mod command;
+mod dice;
 mod driver;
+mod episode;
 mod event;
 mod laser;
 mod odometer;
@@ -39,8 +42,10 @@ mod strategy;
 mod world;
 
 pub use body::{Body, StepEnd, Tick};
+pub use building::Building;
 pub use command::{Command, TimedCommand};
 pub use driver::{Driver, random_route, way_length};
+pub use episode::{Episode, Setting};
 pub use event::{SessionEvent, WorldEvent};
 pub use laser::{Laser, SOMEBODY};
 pub use odometer::{Odometer, WheelTurns};

@@ -102,6 +102,15 @@ impl Session {
         Ok(Self::begin(record, feed))
     }
 
+    /// The same run at this moment, to be continued otherwise. It remembers no earlier moment to go back to.
+    #[must_use]
+    pub fn forked(&self) -> Self {
+        let mut checkpoints = Checkpoints::new(self.live.feed.interval());
+        checkpoints.keep(&self.live, &self.journal);
+        let (record, live, journal) = (self.record.clone(), self.live.clone(), self.journal.clone());
+        Self { record, live, journal, checkpoints, told: self.told }
+    }
+
     /// One turn of the world: a tick of a drive, a reading of a log. `false` where a log is at its end.
     pub fn advance(&mut self) -> bool {
         self.told = false;

@@ -139,6 +139,9 @@ impl Drive {
         let next = self.stage.after(change, self.bodies())?;
         let changed = next.is_some();
         self.stage = next.map_or_else(|| Arc::clone(&self.stage), Arc::new);
+        let came = self.stage.world().people.iter().skip(self.walkers.len()).map(Walker::new);
+        self.walkers.extend(came);
+        self.people = self.walkers.iter().map(Walker::disc).collect();
         Ok(changed)
     }
 

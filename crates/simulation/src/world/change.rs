@@ -1,7 +1,8 @@
 use cogmap_geometry::{DVec2, Segment};
 use serde::{Deserialize, Serialize};
 
-use super::{BoxObstacle, Door, World};
+use super::{BoxObstacle, Door, Person, World};
+use crate::Disc;
 
 /// Something that is changed in a world while a robot is in it (§3.3.1: the world keeps changing). A box
 /// is called by its number: those of the world's file come first, then those set down since, in order;
@@ -41,6 +42,8 @@ pub enum WorldChange {
         /// Its number.
         index: usize,
     },
+    /// Lets somebody come who walks to and fro.
+    AddPerson(Person),
 }
 
 /// No box is shorter or longer, metres.
@@ -97,6 +100,10 @@ impl ChangingWorld {
                 next.boxes[*index] = None;
                 New::Nothing
             }
+            WorldChange::AddPerson(person) => {
+                next.world.people.push(walking(person.clone())?);
+                New::Feet(Disc { center: person.path[0].into(), radius: person.radius })
+            }
         };
         next.world.boxes = next.boxes.iter().flatten().cloned().collect();
         Ok((next != *self).then_some((next, new)))
@@ -127,10 +134,23 @@ fn checked(carton: BoxObstacle) -> Result<BoxObstacle, String> {
     Ok(carton)
 }
 
+/// Somebody who can be simulated.
+fn walking(person: Person) -> Result<Person, String> {
+    let near = |value: &f64| value.abs() <= COORDINATE_MAX;
+    if person.path.is_empty() || !person.path.iter().flatten().all(near) {
+        return Err(format!("somebody walks along points at most {COORDINATE_MAX} m from the origin"));
+    }
+    if !(0.0..=5.0).contains(&person.speed) || !(SIZES[0]..=1.0).contains(&person.radius) {
+        return Err("somebody walks at most 5 m a second and is at most 1 m around".to_owned());
+    }
+    Ok(person)
+}
+
 /// What a change makes stand where nothing stood.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum New {
     Nothing,
+    Feet(Disc),
     Leaf(Segment),
     Box(BoxObstacle),
 }
@@ -140,6 +160,7 @@ impl New {
     pub(crate) fn meets(&self, center: DVec2, radius: f64) -> bool {
         match self {
             Self::Nothing => false,
+            Self::Feet(feet) => feet.center.distance(center) < feet.radius + radius,
             Self::Leaf(leaf) => leaf.distance_to(center) < radius,
             Self::Box(carton) => {
                 carton.contains(center) || carton.edges().iter().any(|edge| edge.distance_to(center) < radius)
