@@ -39,6 +39,9 @@ pub struct RecommendedParams {
     pub hysteresis: f64,
     /// … and by this share.
     pub hysteresis_share: f64,
+    /// While the way that it has in mind becomes no worse the robot looks for a better one at each so many
+    /// decisions.
+    pub look_for_better: u32,
     /// A wall that was met so often closes a way for good.
     pub closed: u8,
     /// When the fail-safe takes over, and when the robot gives up.
@@ -51,11 +54,15 @@ impl Default for RecommendedParams {
             footing: Footing::default(),
             hysteresis: 1.0,
             hysteresis_share: 0.05,
+            look_for_better: 3,
             closed: 2,
             rescue: RescueParams::default(),
         }
     }
 }
+
+/// A way has become no worse while it costs no more than this above what was expected.
+const RISE: f64 = 0.3;
 
 /// Where something too tight for the robot is noted, ahead of its middle, metres.
 const TIGHT: f64 = 0.4;
@@ -69,6 +76,9 @@ pub(crate) struct Recommended {
     moment: u16,
     /// The corners of the way that the robot has in mind, on the floor.
     way: Vec<DVec2>,
+    /// What that way cost at the last decision, and for how many decisions it has cost no more.
+    expected: f64,
+    since_search: u32,
     rescue: Rescue,
     dropped: usize,
 }
@@ -97,7 +107,16 @@ impl Recommended {
         ground.follow(mapper, &atlas);
         let dropped = far_surfaces(mapper, &atlas, params.footing.near);
         let rescue = Rescue::new(&params.rescue, way_out(mapper, &atlas));
-        Self { params: params.clone(), ground, moment: 0, way: Vec::new(), rescue, dropped }
+        Self {
+            params: params.clone(),
+            ground,
+            moment: 0,
+            way: Vec::new(),
+            expected: 0.0,
+            since_search: 0,
+            rescue,
+            dropped,
+        }
     }
 
     /// Surfaces that are too far to be trusted at the command (§3.3.5).
@@ -150,7 +169,10 @@ impl Recommended {
         let had_one = !self.way.is_empty();
         let kept = search.pull_tight(scene.robot, &self.way);
         let before = if had_one { search.cost(scene.robot, &kept) } else { None };
-        let found = search.way().and_then(|cells| {
+        let as_good = before.is_some_and(|cost| cost <= self.expected + RISE);
+        self.since_search = if as_good { self.since_search + 1 } else { 0 };
+        let content = as_good && !self.since_search.is_multiple_of(self.params.look_for_better);
+        let found = if content { None } else { search.way() }.and_then(|cells| {
             let mut points: Vec<DVec2> = cells.into_iter().skip(1).map(Cell::middle).collect();
             if points.is_empty() {
                 points.push(scene.robot);
@@ -167,6 +189,7 @@ impl Recommended {
         };
         let survey = Survey::of(&ease, scene.robot, &way.corners);
         self.way.clone_from(&way.corners);
+        self.expected = way.cost;
         (survey.barrier < self.params.closed).then_some(Choice { way, survey, before, had_one, switched })
     }
 

@@ -9,8 +9,10 @@ use super::{
 
 /// The eight ways on, counter-clockwise.
 const WAYS: [[i32; 2]; 8] = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]];
-/// Within so many cells of the robot and of home every cell counts, farther off every other: 4 m.
+/// Within so many cells of the robot and of home every cell counts, farther off only each third: 4 m.
 const FINE: i32 = 40;
+/// Farther off a step leads over so many cells; a door is wider than that.
+const COARSE: i32 = 3;
 /// Home is reached within so many cells.
 const REACHED: f64 = 2.0;
 /// Where it cannot be, the way may end so near, metres, …
@@ -18,9 +20,9 @@ pub(super) const NEAR_HOME: f64 = 1.2;
 /// … each metre that is missing costing so much.
 const SHORT_OF_HOME: f64 = 60.0;
 /// No way is looked for beyond so many cells.
-const PATIENCE: usize = 150_000;
-/// How far around what was travelled a way may lead, metres.
-const MARGIN: f64 = 12.0;
+const PATIENCE: usize = 60_000;
+/// How far around what was seen a way may lead, metres.
+const MARGIN: f64 = 2.0;
 
 /// A way over the floor, and what it costs; a metre of free floor costs 1.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +53,10 @@ struct Node {
     step: u8,
 }
 
+fn is_coarse(cell: Cell) -> bool {
+    cell.x.rem_euclid(COARSE) == 0 && cell.y.rem_euclid(COARSE) == 0
+}
+
 /// A node on the heap, or the end: what it costs and may still cost, and how it was reached.
 type Open = Reverse<(u32, u32, Cell, bool)>;
 
@@ -58,7 +64,7 @@ impl<'a> Search<'a> {
     /// A search on what one decision makes of the floor, for a way to a point, metres.
     pub(super) fn new(ease: Ease<'a>, home: DVec2) -> Self {
         let robot = ease.robot.middle();
-        let [low, high] = ease.floor.travelled().unwrap_or([robot; 2]);
+        let [low, high] = ease.floor.bounds().unwrap_or([robot; 2]);
         let low = low.min(robot).min(home) - MARGIN;
         let high = high.max(robot).max(home) + MARGIN;
         Self { ease, home, nodes: Tiles::default(), bounds: [Cell::at(low), Cell::at(high)], expanded: 0 }
@@ -96,16 +102,15 @@ impl<'a> Search<'a> {
 
     fn expand(&mut self, cell: Cell, cost: u32, open: &mut BinaryHeap<Open>) {
         let fine = self.is_fine(cell);
-        let even = cell.x & 1 == 0 && cell.y & 1 == 0;
-        let step = if fine || !even { 1 } else { 2 };
+        let step = if fine || !is_coarse(cell) { 1 } else { COARSE };
         let from = self.ease(cell);
         for (way, [dx, dy]) in (0_u8..).zip(WAYS) {
             let to = cell.moved([dx * step, dy * step]);
-            if !self.is_within(to) || (!fine && (to.x & 1 != 0 || to.y & 1 != 0)) {
+            if !self.is_within(to) || (!fine && !is_coarse(to)) {
                 continue;
             }
             let ease = self.ease(to);
-            if ease == NO_WAY || (step == 2 && self.ease(cell.moved([dx, dy])) == NO_WAY) {
+            if ease == NO_WAY || !self.leads(cell, [dx, dy], step) {
                 continue;
             }
             let length = if dx != 0 && dy != 0 { 141 } else { 100 };
@@ -113,12 +118,22 @@ impl<'a> Search<'a> {
             let cost = cost.saturating_add(mean * length * step.unsigned_abs());
             let node = self.nodes.get_mut(to);
             if node.cost == 0 || cost < node.cost {
-                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 or 2")]
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 or 3")]
                 let step = step as u8;
                 *node = Node { cost, way, step, ..*node };
                 open.push(Reverse((cost.saturating_add(self.ahead(to)), cost, to, false)));
             }
         }
+    }
+
+    /// Whether nothing stands between two neighbours: a way cuts no corners.
+    fn leads(&mut self, cell: Cell, [dx, dy]: [i32; 2], step: i32) -> bool {
+        (0..step).all(|k| {
+            let at = cell.moved([dx * k, dy * k]);
+            let corners = [at.moved([dx, 0]), at.moved([0, dy])];
+            (k == 0 || self.ease(at) != NO_WAY)
+                && corners.into_iter().all(|corner| self.ease(corner) != NO_WAY)
+        })
     }
 
     fn is_fine(&self, cell: Cell) -> bool {
