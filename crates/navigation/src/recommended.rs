@@ -185,9 +185,37 @@ impl Recommended {
             (Some(found), Some(before)) if worth(found.cost) < before => (found, true),
             (_, Some(before)) => (Way { corners: kept, cost: before }, false),
             (Some(found), None) => (found, had_one),
-            (None, None) => return None,
+            (None, None) => {
+                #[cfg(feature = "debug")]
+                {
+                    let c = Cell::at(scene.robot);
+                    for dy in (-35..=35).rev() {
+                        let row: String = (-50..=50)
+                            .map(|dx| {
+                                let cell = c.moved([dx, dy]);
+                                let spot = self.ground.floor().spot(cell);
+                                let cost = ease.cost(cell);
+                                match () {
+                                    () if dx == 0 && dy == 0 => 'R',
+                                    () if spot.is_found() => '#',
+                                    () if spot.is_occupied() => 'W',
+                                    () if cost == footing::NO_WAY && spot.is_travelled() => 'x',
+                                    () if cost == footing::NO_WAY => '-',
+                                    () if spot.is_travelled() => 't',
+                                    () if spot.is_known_free() => '.',
+                                    () => ' ',
+                                }
+                            })
+                            .collect();
+                        eprintln!("{row}");
+                    }
+                }
+                return None;
+            }
         };
         let survey = Survey::of(&ease, scene.robot, &way.corners);
+        #[cfg(feature = "debug")]
+        eprintln!("{:?} expanded {} survey {:?} before {:?} cost {} robot {:?} corners {:?}", lead, search.expanded(), survey, before, way.cost, scene.robot, way.corners);
         self.way.clone_from(&way.corners);
         self.expected = way.cost;
         (survey.barrier < self.params.closed).then_some(Choice { way, survey, before, had_one, switched })

@@ -21,8 +21,12 @@ pub(super) const NEAR_HOME: f64 = 1.2;
 const SHORT_OF_HOME: f64 = 60.0;
 /// No way is looked for beyond so many cells.
 const PATIENCE: usize = 60_000;
-/// How far around what was seen a way may lead, metres.
-const MARGIN: f64 = 2.0;
+/// How far around what was seen a way may lead, metres, …
+const MARGIN: f64 = 3.0;
+/// … and where all ways within that are closed.
+const WIDE_MARGIN: f64 = 15.0;
+/// A cell that costs so much, in tenths a metre, lies in a remembered wall.
+const IN_A_WALL: u16 = 900;
 
 /// A way over the floor, and what it costs; a metre of free floor costs 1.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,11 +67,7 @@ type Open = Reverse<(u32, u32, Cell, bool)>;
 impl<'a> Search<'a> {
     /// A search on what one decision makes of the floor, for a way to a point, metres.
     pub(super) fn new(ease: Ease<'a>, home: DVec2) -> Self {
-        let robot = ease.robot.middle();
-        let [low, high] = ease.floor.bounds().unwrap_or([robot; 2]);
-        let low = low.min(robot).min(home) - MARGIN;
-        let high = high.max(robot).max(home) + MARGIN;
-        Self { ease, home, nodes: Tiles::default(), bounds: [Cell::at(low), Cell::at(high)], expanded: 0 }
+        Self { ease, home, nodes: Tiles::default(), bounds: [ease.robot; 2], expanded: 0 }
     }
 
     /// Cells that were looked at.
@@ -75,8 +75,23 @@ impl<'a> Search<'a> {
         self.expanded
     }
 
-    /// The cheapest way from where the robot is; `None` where there is none.
+    /// The cheapest way from where the robot is; `None` where there is none. A home that is closed in
+    /// must not flood the world: the search keeps to what was seen and a margin.
     pub(super) fn way(&mut self) -> Option<Vec<Cell>> {
+        let near = self.way_within(MARGIN);
+        if near.as_ref().is_some_and(|way| way.iter().all(|&cell| self.ease(cell) < IN_A_WALL)) {
+            return near;
+        }
+        self.nodes = Tiles::default();
+        self.way_within(WIDE_MARGIN).or(near)
+    }
+
+    fn way_within(&mut self, margin: f64) -> Option<Vec<Cell>> {
+        let robot = self.ease.robot.middle();
+        let [low, high] = self.ease.floor.bounds().unwrap_or([robot; 2]);
+        let low = low.min(robot).min(self.home) - margin;
+        let high = high.max(robot).max(self.home) + margin;
+        self.bounds = [Cell::at(low), Cell::at(high)];
         let start = self.ease.robot;
         let mut open: BinaryHeap<Open> = BinaryHeap::new();
         self.nodes.get_mut(start).cost = 1;
