@@ -4,11 +4,14 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use cogmap_formats::plan::MapServer;
 use cogmap_mapping::MapperSetup;
+use cogmap_simulation::{Robot, Setting, Strategy};
 
 mod examples;
 
 /// The mapper of a command that names none.
 pub(crate) const DEFAULT_MAPPER: &str = "consensus";
+/// The strategy of a robot that is told to go home without saying how.
+pub(crate) const DEFAULT_STRATEGY: &str = "recommended";
 
 /// What the command line asks for.
 #[derive(Debug, Parser)]
@@ -52,8 +55,8 @@ pub(crate) enum Request {
 /// `cogmap run`.
 #[derive(Debug, Args)]
 pub(crate) struct RunArguments {
-    /// World to drive in: NAME.world.json, a ROS map_server YAML with its picture, or a PNG or PGM
-    /// floor plan
+    /// World to drive in: NAME.world.json, a ROS map_server YAML with its picture, a PNG or PGM
+    /// floor plan, or generated:SEED, an office floor made from that seed
     pub(crate) world: PathBuf,
     #[command(flatten)]
     pub(crate) picture: PictureArguments,
@@ -64,6 +67,14 @@ pub(crate) struct RunArguments {
     /// `[[x,y],…]` in metres, or random [default: the world's first route]
     #[arg(long, value_name = "NAME|FILE|random")]
     pub(crate) route: Option<PathBuf>,
+    /// At the end of the route let the robot find its way home alone; the first mapper's belief leads it
+    #[arg(long)]
+    pub(crate) go_home: bool,
+    /// How it finds home: recommended (ours), retrace (the way that it came), oracle (sees the
+    /// building; the yardstick) [default: recommended]
+    #[arg(long, value_name = "NAME", requires = "go_home",
+        value_parser = PossibleValuesParser::new(Strategy::names()))]
+    pub(crate) strategy: Option<String>,
     /// Everything random comes from it
     #[arg(long, value_name = "N", default_value = "1", value_parser = seed, allow_negative_numbers = true)]
     pub(crate) seed: u64,
@@ -103,7 +114,8 @@ pub(crate) struct StudyArguments {
     /// Experiment to run
     #[arg(value_name = "NAME")]
     pub(crate) name: Option<String>,
-    /// World files to run it in instead of its own: patterns such as 'worlds/*.world.json'
+    /// World files to run it in instead of its own: patterns such as 'worlds/*.world.json'; for `home`
+    /// also ROS map_server files
     #[arg(long, value_name = "GLOB", num_args = 1..)]
     pub(crate) worlds: Vec<String>,
     /// How many seeds [default: the experiment's own, see --help]
@@ -126,6 +138,17 @@ pub(crate) struct StudyArguments {
     #[arg(long, value_name = "K", requires = "log", value_parser = zero_or_above,
         allow_negative_numbers = true)]
     pub(crate) odometry_noise: Vec<f64>,
+    /// Robot, for `home`; give it again for more [default: all]
+    #[arg(long = "robot", value_name = "NAME", value_parser = PossibleValuesParser::new(Robot::NAMES))]
+    pub(crate) robots: Vec<String>,
+    /// What happens to the building, for `home`; give it again for more [default: all]
+    #[arg(long = "setting", value_name = "NAME",
+        value_parser = PossibleValuesParser::new(Setting::ALL.map(Setting::name)))]
+    pub(crate) settings: Vec<String>,
+    /// Who finds the way, for `home`; give it again for more [default: all]
+    #[arg(long = "strategy", value_name = "NAME",
+        value_parser = PossibleValuesParser::new(Strategy::names()))]
+    pub(crate) strategies: Vec<String>,
     /// Directory for runs.csv and summary.json; made if it is missing. Without it only the tables
     /// are shown
     #[arg(long, value_name = "DIR")]
@@ -248,8 +271,9 @@ mod tests {
     }
 
     #[test]
-    fn the_default_mapper_exists() {
+    fn the_default_mapper_and_the_default_strategy_exist() {
         assert!(MapperSetup::named(DEFAULT_MAPPER).is_some());
+        assert!(Strategy::named(DEFAULT_STRATEGY).is_some());
     }
 
     #[test]

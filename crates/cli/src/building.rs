@@ -1,13 +1,19 @@
 use std::path::Path;
 
 use cogmap_formats::plan::{MapServer, Plan};
-use cogmap_simulation::World;
+use cogmap_simulation::{Building, World};
 
 use crate::failure::Failure;
 use crate::input::{Input, Kind};
 
-/// A building to drive in: a world file, or a floor plan that becomes one.
+/// How a world is asked for that no file holds: `generated:SEED`.
+const GENERATED: &str = "generated:";
+
+/// A building to drive in: a world file, a floor plan that becomes one, or one made from a seed.
 pub(crate) fn read(path: &Path, resolution: Option<f64>) -> Result<World, Failure> {
+    if let Some(seed) = path.to_str().and_then(|name| name.strip_prefix(GENERATED)) {
+        return generated(seed);
+    }
     let input = Input::read(path)?;
     let name = &input.name;
     let kind = input.kind();
@@ -31,6 +37,13 @@ pub(crate) fn read(path: &Path, resolution: Option<f64>) -> Result<World, Failur
                 .into(),
         ),
     }
+}
+
+fn generated(seed: &str) -> Result<World, Failure> {
+    seed.parse().map(Building::generate).map_err(|_| {
+        Failure::input(format!("{GENERATED}{seed}: `{seed}` is no seed"))
+            .help(format!("give a number from 0 to {}, such as {GENERATED}7", u64::MAX))
+    })
 }
 
 /// The plan in a picture of which only the scale is known, metres a pixel.

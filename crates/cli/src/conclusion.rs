@@ -4,6 +4,7 @@ use cogmap_scene::{MemoryOptions, Scene, Sheet, Theme, memory_scene, png, svg};
 use cogmap_simulation::Session;
 
 use crate::failure::Failure;
+use crate::homing;
 use crate::output::Output;
 use crate::records::Records;
 use crate::summary;
@@ -35,6 +36,7 @@ impl Conclusion<'_> {
     /// Writes the files and says what came out.
     pub(crate) fn draw(&self, mut timing: Timing) -> Result<(), Failure> {
         let mut said = summary::of(self.title, self.session, timing.total());
+        said += &homing::summary(self.session);
         said += &match self.output {
             Some(output) => {
                 let mut files = self.texts();

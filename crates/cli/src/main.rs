@@ -5,6 +5,7 @@
 //! - [`run`], [`replay`], [`study`] and [`check`] do it, [`figures`] draws what the thesis drew,
 //! - [`input`] tells a world from a log from a session, [`building`] makes a world of a floor plan,
 //!   [`log`] finds and prepares a recording,
+//! - [`homing`] lets the robot go home and says how it went,
 //! - [`output`] owns a run's directory, [`conclusion`] fills it, [`summary`] says what came out,
 //! - [`failure`] is every way to end badly: what, where, and the way out.
 
@@ -14,6 +15,7 @@ mod check;
 mod conclusion;
 mod failure;
 mod figures;
+mod homing;
 mod input;
 mod log;
 mod output;

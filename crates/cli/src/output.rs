@@ -7,7 +7,7 @@ use crate::failure::Failure;
 
 /// The beginnings and the ends of the names of all files that a run may leave; between them a
 /// mapper's name may stand.
-const RUN_FILES: [(&str, &str); 13] = [
+const RUN_FILES: [(&str, &str); 14] = [
     ("session", "json"),
     ("truth", "tum"),
     ("odometry", "tum"),
@@ -21,6 +21,7 @@ const RUN_FILES: [(&str, &str); 13] = [
     ("timing", "json"),
     ("runs", "csv"),
     ("summary", "json"),
+    ("plan", "txt"),
 ];
 
 /// A directory that belongs to one run. Each file appears in it whole or not at all.

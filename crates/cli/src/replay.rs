@@ -75,7 +75,7 @@ fn session(
     }
     let mut record = file.record;
     if !arguments.mappers.names.is_empty() {
-        record.mappers = mappers;
+        record = record.with_mappers(mappers);
     }
     match &mut record.source {
         Source::World { .. } => refuse_options_of_logs(arguments)?,

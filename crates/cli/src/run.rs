@@ -2,13 +2,15 @@ use std::path::Path;
 use std::time::Instant;
 
 use cogmap_geometry::DVec2;
-use cogmap_mapping::{Event, MapperSetup};
+use cogmap_mapping::MapperSetup;
 use cogmap_simulation::{Driver, Robot, Session, SessionRecord, Source, World, random_route};
+use indicatif::ProgressBar;
 
 use crate::arguments::{DEFAULT_MAPPER, RunArguments};
 use crate::building;
 use crate::conclusion::Conclusion;
 use crate::failure::Failure;
+use crate::homing;
 use crate::input::Input;
 use crate::output::Output;
 use crate::progress;
@@ -36,9 +38,15 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let mut records = Records::of_drive(arguments.output.dense);
     drive(&mut session, driver, &mut records);
     timing.done("drive and map");
+    let mut outcome = failure_of(&session, &route);
+    if outcome.is_ok() && arguments.go_home {
+        homing::go_home(&mut session, arguments.strategy.as_deref(), &mut records)?;
+        outcome = homing::failure_of(&session);
+        timing.done("go home");
+    }
     let (session, records) = (&session, &records);
     Conclusion { session, title: &title, output: output.as_ref(), records, counts: None }.draw(timing)?;
-    failure_of(session, &route)
+    outcome
 }
 
 /// The mappers of these names with their default parameters.
@@ -138,16 +146,22 @@ fn read_route(path: &Path) -> Result<Vec<DVec2>, Failure> {
 /// more to say.
 fn drive(session: &mut Session, mut driver: Driver, records: &mut Records) {
     let sign = progress::spinner();
-    let mut shown = Instant::now();
     records.note(session);
     while let Some(command) = session.world_from_robot().and_then(|pose| driver.next_command(pose)) {
         session.command(command);
-        loop {
-            session.advance();
-            records.note(session);
-            if session.at_rest() {
-                break;
-            }
+        come_to_rest(session, records, &sign);
+    }
+    sign.finish_and_clear();
+}
+
+/// Lets the robot do what it was told.
+pub(crate) fn come_to_rest(session: &mut Session, records: &mut Records, sign: &ProgressBar) {
+    let mut shown = Instant::now();
+    loop {
+        session.advance();
+        records.note(session);
+        if session.at_rest() {
+            return;
         }
         if shown.elapsed() >= progress::MESSAGE_EVERY {
             let scans = session.journal().odometry.len();
@@ -156,27 +170,29 @@ fn drive(session: &mut Session, mut driver: Driver, records: &mut Records) {
             shown = Instant::now();
         }
     }
-    sign.finish_and_clear();
 }
 
 /// A robot that hit something, or did not arrive, has failed.
 fn failure_of(session: &Session, route: &[DVec2]) -> Result<(), Failure> {
     let (Some(pose), Some(goal)) = (session.world_from_robot(), route.last()) else { return Ok(()) };
-    let at = |point: DVec2| format!("[{:.2}, {:.2}]", point.x, point.y);
     let way_out = "the files show how it came there; move the route, or what stands in its way";
-    let events = session.journal().mappers.first().map_or(&[][..], |mapper| &mapper.events);
-    if let Some(place) = events.iter().find_map(|(_, event)| match event {
-        Event::Collision { position } => Some(DVec2::from(*position)),
-        _ => None,
-    }) {
-        return Err(Failure::run(format!("the robot drove into something at {}", at(place))).help(way_out));
-    }
+    collision(session).map_or(Ok(()), |failure| Err(failure.help(way_out)))?;
     let distance = pose.position.distance(*goal);
     if distance > ARRIVED {
         let message = format!("the robot got stuck at {}, {distance:.1} m before the end", at(pose.position));
         return Err(Failure::run(message).help(way_out));
     }
     Ok(())
+}
+
+/// The first thing that the robot hit.
+pub(crate) fn collision(session: &Session) -> Option<Failure> {
+    let place = session.journal().mappers.first()?.collisions().next()?;
+    Some(Failure::run(format!("the robot drove into something at {}", at(place.into()))))
+}
+
+pub(crate) fn at(point: DVec2) -> String {
+    format!("[{:.2}, {:.2}]", point.x, point.y)
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! `cogmap study`: experiments with many seeds.
 
+mod home;
+mod home_tables;
 mod markdown;
 mod tables;
 
@@ -22,6 +24,13 @@ use crate::timing::Timing;
 /// Runs an experiment and leaves what came out; without a name, lists the experiments.
 pub(crate) fn study(arguments: &StudyArguments) -> Result<(), Failure> {
     let Some(name) = &arguments.name else { return terminal::say(&list()) };
+    if name == cogmap_study::home::NAME {
+        return home::home(arguments);
+    }
+    let only_home = [("--robot", &arguments.robots), ("--setting", &arguments.settings), ("--strategy", &arguments.strategies)];
+    if let Some((option, _)) = only_home.iter().find(|(_, names)| !names.is_empty()) {
+        return Err(Failure::input(format!("{option}: only the study `home` can be asked so")).help("leave it out"));
+    }
     let study = Study::named(name).ok_or_else(|| unknown(name))?;
     let mut timing = Timing::start();
     let request = Request {
@@ -77,6 +86,21 @@ fn conclude(
 /// The worlds that patterns name.
 fn worlds(patterns: &[String]) -> Result<Vec<Arc<World>>, Failure> {
     let mut worlds = Vec::new();
+    for path in paths(patterns)? {
+        let input = Input::read(&path)?;
+        let world = cogmap_formats::world::read(input.text()?, &input.name)?;
+        let problems = world.problems();
+        if !problems.is_empty() {
+            return Err(crate::run::problems_of(&path, &problems));
+        }
+        worlds.push(Arc::new(world));
+    }
+    Ok(worlds)
+}
+
+/// The files that patterns name.
+fn paths(patterns: &[String]) -> Result<Vec<PathBuf>, Failure> {
+    let mut all = Vec::new();
     for pattern in patterns {
         let of = |what: String| Failure::input(format!("--worlds {pattern}: {what}"));
         let paths = glob::glob(pattern).map_err(|error| of(error.msg.to_owned()))?;
@@ -85,17 +109,9 @@ fn worlds(patterns: &[String]) -> Result<Vec<Arc<World>>, Failure> {
         if paths.is_empty() {
             return Err(of("no such file".into()).help("name world files, as in 'worlds/*.world.json'"));
         }
-        for path in paths {
-            let input = Input::read(&path)?;
-            let world = cogmap_formats::world::read(input.text()?, &input.name)?;
-            let problems = world.problems();
-            if !problems.is_empty() {
-                return Err(crate::run::problems_of(&path, &problems));
-            }
-            worlds.push(Arc::new(world));
-        }
+        all.extend(paths);
     }
-    Ok(worlds)
+    Ok(all)
 }
 
 /// The log that the arguments name, with its relations.
@@ -118,7 +134,8 @@ fn log(arguments: &StudyArguments) -> Result<Option<Arc<Log>>, Failure> {
 }
 
 fn unknown(name: &str) -> Failure {
-    let names: Vec<&str> = Study::ALL.iter().map(|study| study.name).collect();
+    let names = Study::ALL.iter().map(|study| study.name).chain([cogmap_study::home::NAME]);
+    let names: Vec<&str> = names.collect();
     Failure::input(format!("there is no study `{name}`")).help(format!("choose from {}", names.join(", ")))
 }
 
@@ -128,6 +145,7 @@ fn list() -> String {
     for study in &Study::ALL {
         table.row(vec![study.name.into(), study.line.into()]);
     }
+    table.row(vec![cogmap_study::home::NAME.into(), cogmap_study::home::LINE.into()]);
     format!("{}\nRun one: cogmap study NAME --out DIR. Explained: cogmap study --help\n", table.render())
 }
 
@@ -136,6 +154,7 @@ pub(crate) fn examples() -> String {
     "Example: cogmap study\n\
      Example: cogmap study loop-b --out loop-b\n\
      Example: cogmap study relations --log intel.log.gz --relations intel.relations\n\
+     Example: cogmap study home --robot bad --seeds 50 --seed 1 --out home\n\
      Example: cogmap study small --seeds 20 --seed 1 --worlds 'worlds/*office.world.json'\n\n\
      `cogmap study --help` explains each study."
         .to_owned()
@@ -147,6 +166,8 @@ pub(crate) fn explanations() -> String {
     for study in &Study::ALL {
         text += &format!("{} ({} seeds)\n  {}\n\n", study.name, study.seeds, study.about);
     }
+    let home = (cogmap_study::home::NAME, cogmap_study::home::SEEDS, cogmap_study::home::ABOUT);
+    text += &format!("{} ({} seeds)\n  {}\n\n", home.0, home.1, home.2);
     text + "runs.csv has a row for each run and mapper, the same seeds for all mappers; summary.json has every\n\
             figure with its 95 % interval, every parameter, and what each column means.\n\n"
         + &examples()

@@ -38,7 +38,7 @@ fn figures(session: &Session, seconds: f64) -> String {
     let clock = format!("{scans} scans in {}, done in {seconds:.2} s", span(duration));
     match &session.record().source {
         Source::World { commands, .. } => {
-            let collisions = match collisions(&journal.mappers) {
+            let collisions = match journal.mappers.first().map_or(0, |mapper| mapper.collisions().count()) {
                 0 => String::new(),
                 1 => ", 1 collision".into(),
                 many => format!(", {many} collisions"),
@@ -56,11 +56,6 @@ fn figures(session: &Session, seconds: f64) -> String {
 
 fn span(seconds: f64) -> String {
     if seconds < 120.0 { format!("{seconds:.0} s") } else { format!("{:.0} min", seconds / 60.0) }
-}
-
-fn collisions(mappers: &[MapperJournal]) -> usize {
-    let events = mappers.first().map_or(&[][..], |mapper| &mapper.events);
-    events.iter().filter(|(_, event)| matches!(event, Event::Collision { .. })).count()
 }
 
 fn heads(session: &Session) -> Vec<&'static str> {
@@ -105,7 +100,7 @@ fn cells(session: &Session, index: usize, label: &str) -> Vec<String> {
 /// Local spaces, exits and closed loops; dashes for a mapper that does not know what a space is.
 fn places(mapper: &Mapper, written: &MapperJournal) -> [String; 3] {
     let Some(network) = mapper.network() else { return ["–", "–", "–"].map(str::to_owned) };
-    let loops = written.events.iter().filter(|(_, event)| matches!(event, Event::LoopClosed { .. }));
+    let loops = written.map_events().filter(|(_, event)| matches!(event, Event::LoopClosed { .. }));
     [network.asrs().len(), network.exits().len(), loops.count()].map(|count| count.to_string())
 }
 

@@ -48,4 +48,11 @@ impl Timing {
             TimingFile { format: "cogmap-timing/1", stages: &self.stages, total_seconds: self.total() };
         serde_json::to_string_pretty(&file).unwrap_or_default() + "\n"
     }
+
+    /// The same with something else that a clock measured.
+    pub(crate) fn to_json_with(&self, name: &str, more: &impl Serialize) -> String {
+        let mut file: serde_json::Value = serde_json::from_str(&self.to_json()).unwrap_or_default();
+        file[name] = serde_json::to_value(more).unwrap_or_default();
+        serde_json::to_string_pretty(&file).unwrap_or_default() + "\n"
+    }
 }

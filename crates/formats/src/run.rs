@@ -2,6 +2,7 @@
 //! alone, so that the same session gives the same bytes.
 
 mod events;
+mod homing;
 mod map;
 mod network;
 mod report;

@@ -184,11 +184,6 @@ pub enum Event {
         /// One sentence for people.
         why: String,
     },
-    /// The robot drove into something while it was moving.
-    Collision {
-        /// Where, in the world.
-        position: [f64; 2],
-    },
 }
 
 impl StepReport {

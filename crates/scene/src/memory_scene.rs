@@ -151,10 +151,7 @@ fn draw_view(scene: &mut Scene, mind: &Mapper, report: &StepReport) {
 
 /// Lays the world over the memory so that the first view was taken in the same place in both.
 fn draw_truth(scene: &mut Scene, session: &Session, journal: &MapperJournal) {
-    let (Source::World { world, .. }, Some(first)) = (&session.record().source, journal.reports.first())
-    else {
-        return;
-    };
+    let (Some(world), Some(first)) = (session.world(), journal.reports.first()) else { return };
     let truth = session.journal().truth.iter().find(|stamped| stamped.t == first.t);
     let (Some(truth), Some(world_from_robot)) = (truth, session.world_from_robot()) else { return };
     let map_from_world = first.map_from_robot * truth.pose.inverse();

@@ -53,11 +53,11 @@ fn item(mark: PlaceMark, shape: Shape) -> Item {
 
 /// The exits that closed a loop.
 fn loops(journal: &MapperJournal, network: &Network) -> BTreeSet<ExitId> {
-    let exit = |(_, event): &(usize, Event)| match event {
+    let exit = |(_, event): (usize, &Event)| match event {
         Event::LoopClosed { exit, .. } => Some(network.exit(*exit)?.id),
         _ => None,
     };
-    journal.events.iter().filter_map(exit).collect()
+    journal.map_events().filter_map(exit).collect()
 }
 
 /// In the map.

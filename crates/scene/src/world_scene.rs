@@ -38,7 +38,7 @@ pub fn world_scene(session: &Session, options: WorldOptions) -> Scene {
     let (title, note) = words(session, way.len());
     let mut scene = Scene { title, note, ..Scene::default() };
     scene.explain(Sample::Robot(Role::Robot), "robot");
-    if let Source::World { world, .. } = &session.record().source {
+    if let Some(world) = session.world() {
         draw_world(&mut scene, world, options);
     }
     if options.path {

@@ -1,7 +1,7 @@
 use cogmap_geometry::{DVec2, Pose};
 use rand_pcg::Pcg64Mcg;
 
-use crate::{BodyParams, Command, Obstacles, OdometryErrors, Robot, TICK, WheelTurns, odometer::arc};
+use crate::{BodyParams, Command, OdometryErrors, Robot, Surroundings, TICK, WheelTurns, odometer::arc};
 
 mod contact;
 mod profile;
@@ -76,11 +76,11 @@ impl Body {
     }
 
     /// Takes an order; numbers that are not finite count as 0, the others are cut to what it can do.
-    pub fn command(&mut self, command: Command) {
+    pub fn command(&mut self, command: &Command) {
         let bounded = |value: f64, most: f64| if value.is_finite() { value.clamp(-most, most) } else { 0.0 };
-        self.patience = PATIENCE;
-        self.task = match command {
-            Command::Stop | Command::Kidnap { .. } => Task::Rest,
+        self.task = match *command {
+            Command::Stop | Command::Kidnap { .. } | Command::GoHome { .. } => Task::Rest,
+            Command::Change(_) => return,
             Command::Drive { linear, angular } => {
                 let angular = bounded(angular, self.params.max_turn_rate);
                 Task::Drive([bounded(linear, self.params.max_speed), angular])
@@ -89,16 +89,23 @@ impl Body {
                 Task::Prepare([bounded(travel, TRAVEL_MAX), bounded(turn, TURN_MAX)])
             }
         };
+        self.patience = PATIENCE;
     }
 
     /// Someone sets it down elsewhere, at rest; refused where it does not fit.
-    pub fn kidnap(&mut self, world_from_robot: Pose, obstacles: &Obstacles) {
-        let Pose { position, heading } = world_from_robot;
-        let real = position.is_finite() && heading.is_finite();
-        if real && obstacles.nearest(position, self.params.radius).is_none() {
+    pub fn kidnap<'a>(&mut self, world_from_robot: Pose, around: impl Into<Surroundings<'a>>) {
+        if self.fits(world_from_robot, around) {
             self.world_from_robot = world_from_robot;
             (self.speed, self.task, self.touching) = ([0.0; 2], Task::Rest, None);
         }
+    }
+
+    /// Whether it could stand there.
+    #[must_use]
+    pub fn fits<'a>(&self, world_from_robot: Pose, around: impl Into<Surroundings<'a>>) -> bool {
+        let Pose { position, heading } = world_from_robot;
+        let real = position.is_finite() && heading.is_finite();
+        real && around.into().nearest(position, self.params.radius).is_none()
     }
 
     /// Where it truly is.
@@ -121,7 +128,7 @@ impl Body {
     }
 
     /// Lives through [`TICK`] seconds.
-    pub fn tick(&mut self, obstacles: &Obstacles, rng: &mut Pcg64Mcg) -> Tick {
+    pub fn tick<'a>(&mut self, around: impl Into<Surroundings<'a>>, rng: &mut Pcg64Mcg) -> Tick {
         self.speed = self.next_speed();
         let [linear, angular] = self.speed;
         if self.speed == [0.0; 2] {
@@ -129,7 +136,7 @@ impl Body {
         }
         let ordered = WheelTurns::ordered([linear * TICK, angular * TICK], &self.params);
         let rolled = wheels::roll(ordered, &self.params, &self.errors, rng);
-        let (freed, collision) = self.roll(rolled, obstacles);
+        let (freed, collision) = self.roll(rolled, around.into());
         self.hold_against(freed);
         let counted = [linear * TICK * freed, angular * TICK];
         let turns = WheelTurns::ordered(counted, &self.params);
@@ -153,11 +160,11 @@ impl Body {
     }
 
     /// Moves on the floor; the share of the way forward that nothing prevented, and a new contact.
-    fn roll(&mut self, rolled: [f64; 2], obstacles: &Obstacles) -> (f64, Option<DVec2>) {
+    fn roll(&mut self, rolled: [f64; 2], around: Surroundings<'_>) -> (f64, Option<DVec2>) {
         let from = self.world_from_robot;
         let wanted = from * arc(rolled);
         let movement = wanted.position - from.position;
-        let slide = contact::slide(from.position, movement, self.params.radius, obstacles);
+        let slide = contact::slide(from.position, movement, self.params.radius, around);
         self.world_from_robot = Pose { position: slide.position, ..wanted };
         let length = movement.length();
         let freed = if slide.touched.is_some() && length > 1e-9 {
@@ -165,14 +172,14 @@ impl Body {
         } else {
             1.0
         };
-        (freed, self.feel(slide.touched, obstacles))
+        (freed, self.feel(slide.touched, around))
     }
 
     /// A contact is new where nothing was touched before, or something on another side.
-    fn feel(&mut self, touched: Option<DVec2>, obstacles: &Obstacles) -> Option<DVec2> {
+    fn feel(&mut self, touched: Option<DVec2>, around: Surroundings<'_>) -> Option<DVec2> {
         let position = self.world_from_robot.position;
         let Some(point) = touched else {
-            if obstacles.nearest(position, self.params.radius + CONTACT_GAP).is_none() {
+            if around.nearest(position, self.params.radius + CONTACT_GAP).is_none() {
                 self.touching = None;
             }
             return None;

@@ -1,7 +1,9 @@
 use serde::{Deserialize, Serialize};
 
+use crate::{Strategy, WorldChange};
+
 /// What a person or a program tells the robot.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Command {
     /// Drive at a velocity until told otherwise.
@@ -29,10 +31,18 @@ pub enum Command {
         #[serde(default)]
         heading_deg: f64,
     },
+    /// Find the way home alone (§3.3), from rest; any other order to the robot ends it.
+    GoHome {
+        /// How.
+        strategy: Strategy,
+    },
+    /// Not to the robot, which need not notice: something is changed around it. Refused where the robot
+    /// or somebody stands in the way.
+    Change(WorldChange),
 }
 
 /// A command and the tick at whose beginning it takes effect.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TimedCommand {
     /// Ticks of [`TICK`](crate::TICK) seconds since the beginning.
     pub tick: u64,

@@ -1,10 +1,12 @@
-use cogmap_geometry::Pose;
+use cogmap_geometry::{Pose, Segment};
 use cogmap_mapping::perception::Scan;
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use crate::{Fan, Hit, LaserParams, RayGrid, chance};
+use crate::{Disc, Fan, Hit, LaserParams, RayGrid, chance};
 
+/// What a beam has truly met that met one of the people: no solid has this number.
+pub const SOMEBODY: u32 = u32::MAX;
 /// The least jump in range from one beam to the next that splits a beam's spot, metres.
 const DEPTH_EDGE: f64 = 0.15;
 /// How much wider than at normal incidence the noise can become.
@@ -38,11 +40,24 @@ impl Laser {
         world_from_robot: Pose,
         rng: &mut Pcg64Mcg,
     ) -> (Scan, Vec<Option<u32>>) {
+        self.scan_among((grid, &[], &[]), world_from_robot, rng)
+    }
+
+    /// The same where boxes have been set down and people walk: their edges and discs, beside the grid.
+    /// A beam that meets somebody has met [`SOMEBODY`].
+    #[must_use]
+    pub fn scan_among(
+        &self,
+        (grid, added, people): (&RayGrid, &[Segment], &[Disc]),
+        world_from_robot: Pose,
+        rng: &mut Pcg64Mcg,
+    ) -> (Scan, Vec<Option<u32>>) {
+        let still = grid.len() + added.len();
         let robot_from_laser = Pose::new(self.params.forward, 0.0, 0.0);
         let mut scan = self.empty(robot_from_laser);
         let fan = self.fan(world_from_robot * robot_from_laser, &scan);
         let mut hits = Vec::new();
-        grid.cast(&fan, &mut hits);
+        grid.cast_with(&fan, added, people, &mut hits);
         let mixed = self.mixed_pixels(&hits, rng);
         let mut solids = vec![None; self.params.beams];
         let slots = scan.ranges.iter_mut().zip(&mut solids);
@@ -50,7 +65,8 @@ impl Laser {
             let Some(hit) = hit else { continue };
             if let Some(read) = self.measure(&hit, between.unwrap_or(hit.range), rng) {
                 *range = read;
-                *solid = between.is_none().then_some(hit.solid);
+                let met = if (hit.solid as usize) < still { hit.solid } else { SOMEBODY };
+                *solid = between.is_none().then_some(met);
             }
         }
         if self.params.identity > 0.0 {
@@ -62,7 +78,7 @@ impl Laser {
 
     fn knows_by_sight(&self, solid: u32) -> bool {
         let mut rng = Pcg64Mcg::seed_from_u64(self.sights ^ u64::from(solid));
-        chance::uniform(&mut rng) < self.params.identity
+        solid != SOMEBODY && chance::uniform(&mut rng) < self.params.identity
     }
 
     fn empty(&self, robot_from_laser: Pose) -> Scan {

@@ -25,29 +25,39 @@
 //! ```
 
 mod body;
+mod building;
 mod chance;
 mod command;
+mod dice;
 mod driver;
+mod episode;
+mod event;
 mod laser;
 mod odometer;
 mod raycast;
 mod robot;
 mod session;
 mod solids;
+mod strategy;
 mod world;
 
 pub use body::{Body, StepEnd, Tick};
+pub use building::Building;
 pub use command::{Command, TimedCommand};
-pub use driver::{Driver, random_route};
-pub use laser::Laser;
+pub use driver::{Driver, random_route, way_length};
+pub use episode::{Episode, Setting};
+pub use event::{SessionEvent, WorldEvent};
+pub use laser::{Laser, SOMEBODY};
 pub use odometer::{Odometer, WheelTurns};
 pub use raycast::{Disc, Fan, Hit, RayGrid};
 pub use robot::{BodyParams, LaserParams, OdometryErrors, Robot};
 pub use session::{
-    Journal, MapperJournal, Recording, SESSION_FORMAT, Session, SessionRecord, Source, Stamped, wall_of,
+    Ending, Homeward, Journal, MapperJournal, Pilot, Recording, SESSION_FORMAT, Session, SessionRecord,
+    Source, Stamped, WayHome, wall_of,
 };
-pub use solids::{Nearest, Obstacles, Solids};
-pub use world::{BoxObstacle, Door, Person, Post, Problem, Room, Start, World};
+pub use solids::{Nearest, Obstacles, Solids, Surroundings};
+pub use strategy::Strategy;
+pub use world::{BoxObstacle, Door, Person, Post, Problem, Room, Start, World, WorldChange};
 
 /// Seconds of one tick: the time step of the simulation.
 pub const TICK: f64 = 0.02;

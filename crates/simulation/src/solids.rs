@@ -4,18 +4,24 @@ use crate::{BoxObstacle, Disc, Door, World};
 
 mod obstacles;
 
-pub use obstacles::{Nearest, Obstacles};
+pub use obstacles::{Nearest, Obstacles, Surroundings};
+
+/// The edge of a box that was taken away: no beam and no body meets it.
+const NOWHERE: Segment = Segment { a: DVec2::NAN, b: DVec2::NAN };
 
 /// What stands in a world, ready for beams and bodies to run into.
 ///
 /// A solid's number counts the segments first (walls, then the edges of boxes, then door leaves),
-/// then the discs, as [`Hit::solid`](crate::Hit::solid) does.
+/// then the discs, then the edges of boxes set down later, as [`Hit::solid`](crate::Hit::solid) does:
+/// whatever is changed in the world, a number always means the same thing.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Solids {
     /// Walls, box edges and door leaves, metres.
     pub segments: Vec<Segment>,
     /// Posts, metres.
     pub discs: Vec<Disc>,
+    /// Edges of boxes that were set down since the beginning, metres.
+    pub added: Vec<Segment>,
 }
 
 impl Solids {
@@ -31,13 +37,21 @@ impl Solids {
     /// ```
     #[must_use]
     pub fn of(world: &World) -> Self {
+        let boxes: Vec<_> = world.boxes.iter().cloned().map(Some).collect();
+        Self::numbered(world, &boxes, boxes.len())
+    }
+
+    /// The solids of a world that is changing: its boxes by their numbers, of which so many are the file's.
+    pub(crate) fn numbered(world: &World, boxes: &[Option<BoxObstacle>], from_file: usize) -> Self {
         let walls = world.walls.iter().flat_map(|wall| wall.windows(2));
         let walls =
             walls.filter_map(|ends| Some(Segment::new((*ends.first()?).into(), (*ends.last()?).into())));
-        let boxes = world.boxes.iter().flat_map(BoxObstacle::edges);
-        let segments = walls.chain(boxes).chain(world.doors.iter().map(Door::leaf)).collect();
+        let (boxes, added) = boxes.split_at(from_file.min(boxes.len()));
+        let edges = |carton: &Option<BoxObstacle>| carton.as_ref().map_or([NOWHERE; 4], BoxObstacle::edges);
+        let segments =
+            walls.chain(boxes.iter().flat_map(edges)).chain(world.doors.iter().map(Door::leaf)).collect();
         let discs = world.posts.iter().map(|post| Disc { center: post.center.into(), radius: post.radius });
-        Self { segments, discs: discs.collect() }
+        Self { segments, discs: discs.collect(), added: added.iter().flat_map(edges).collect() }
     }
 }
 

@@ -1,10 +1,13 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+mod change;
 mod check;
 mod numbers;
 mod reach;
 
+pub use change::WorldChange;
+pub(crate) use change::{ChangingWorld, New};
 pub use check::Problem;
 
 /// A building as its author wrote it down: the content of a `NAME.world.json` file. Metres, and

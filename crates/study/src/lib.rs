@@ -17,6 +17,8 @@ mod check;
 mod condition;
 mod drive;
 pub mod figures;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod home;
 mod kidnap;
 mod mapping;
 mod measure;

@@ -55,7 +55,7 @@ impl Truth {
     /// The truth about a building.
     #[must_use]
     pub fn of(world: &World, radius: f64) -> Self {
-        let Solids { segments, discs } = Solids::of(world);
+        let Solids { segments, discs, .. } = Solids::of(world);
         let posts: Vec<_> = discs.iter().map(|disc| disc.center).collect();
         let outline = |room: &Room| room.outline.iter().copied().map(DVec2::from).collect();
         let rooms = world.rooms.iter().map(outline).collect();

@@ -55,10 +55,10 @@ fn happened(mapper: &Mapper, journal: &MapperJournal) -> Option<Happened> {
         return None; // it recognises nothing, so it is never lost and never found
     }
     let now = journal.reports.last()?.t;
-    journal.events.iter().rev().find_map(|(step, event)| {
-        let report = journal.reports.get(*step)?;
+    journal.map_events().rev().find_map(|(step, event)| {
+        let report = journal.reports.get(step)?;
         let what = happening(event, report)?;
-        Some(Happened { step: *step, ago: now - report.t, what })
+        Some(Happened { step, ago: now - report.t, what })
     })
 }
 

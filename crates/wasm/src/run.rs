@@ -1,6 +1,6 @@
 use cogmap_geometry::DVec2;
-use cogmap_mapping::{Event, MapperSetup};
-use cogmap_simulation::{Command, Driver, MapperJournal, Robot, Session, Source, Stamped};
+use cogmap_mapping::MapperSetup;
+use cogmap_simulation::{Command, Driver, Robot, Session, Source, Stamped};
 
 use crate::{
     failure::Failure,
@@ -69,11 +69,12 @@ impl Run {
 
     fn ask_driver(&mut self) -> bool {
         let next = self.session.world_from_robot().and_then(|pose| self.driver.as_mut()?.next_command(pose));
-        match next {
-            Some(command) => self.session.command(command),
-            None => self.driver = None,
-        }
-        next.is_some()
+        let Some(command) = next else {
+            self.driver = None;
+            return false;
+        };
+        self.session.command(command);
+        true
     }
 
     /// Lets the run go on until the memory has taken in another view, or nothing is left to happen.
@@ -114,10 +115,7 @@ impl Run {
     /// Sends the robot straight to a point of the world; `false` if it cannot be sent there.
     pub(crate) fn reach(&mut self, point: DVec2) -> bool {
         let step = self.session.world_from_robot().and_then(|pose| step_to(point, pose));
-        if let Some(step) = step {
-            self.tell(step);
-        }
-        step.is_some()
+        step.map(|step| self.tell(step)).is_some()
     }
 
     fn tell(&mut self, command: Command) {
@@ -156,15 +154,11 @@ impl Run {
             time: session.time(),
             idle: self.idle(),
             on_route: self.driver.is_some(),
-            collisions: journal.mappers.first().map_or(0, collisions),
+            collisions: journal.mappers.first().map_or(0, |mapper| mapper.collisions().count()),
             travelled: length_of(if truth_known { &journal.truth } else { &journal.odometry }),
             memories: memories(session),
         }
     }
-}
-
-fn collisions(journal: &MapperJournal) -> usize {
-    journal.events.iter().filter(|(_, event)| matches!(event, Event::Collision { .. })).count()
 }
 
 fn length_of(path: &[Stamped]) -> f64 {

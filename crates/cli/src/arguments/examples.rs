@@ -3,10 +3,12 @@ pub(super) const RUN: &str = "\
 Example: cogmap run worlds/small-office.world.json --out first-run
 Example: cogmap run worlds/small-office.world.json --robot good --seed 7 --route random
 Example: cogmap run worlds/small-office.world.json --mapper perceptual --mapper odometry --out both
+Example: cogmap run worlds/office.world.json --go-home --strategy retrace --out home
 Example: cogmap run plan.png --resolution 0.05 --route random --out plan
 
 In a floor plan everything that is not free is solid, and the robot starts where there is most room.
 The person who drives sees the true building; the mappers see only the laser and the wheels.
+With --go-home the run has failed unless the robot stops within 1.5 m of its start and has hit nothing.
 A robot FILE is a JSON file; `--out` leaves one in session.json, under \"robot\".";
 
 /// Shown under `cogmap replay --help`.

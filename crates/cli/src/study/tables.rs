@@ -52,7 +52,7 @@ fn is_share(measure: &Measure) -> bool {
 }
 
 /// A figure and its interval.
-fn written(figure: Estimate, share: bool) -> String {
+pub(super) fn written(figure: Estimate, share: bool) -> String {
     let Estimate { value, interval, .. } = figure;
     if share {
         let [value, low, high] = [value, interval.low, interval.high].map(|value| rounded(value * 100.0));
@@ -109,7 +109,7 @@ const RULE: &str = "  met: the figure itself lies where its criterion wants it. 
                     refuted: it lies on the other side;\n  undecided: it reaches to both sides, or nothing was run. A \
                     claim is supported if every criterion is, and refuted if any is.\n";
 
-fn verdicts(checks: &[Check]) -> String {
+pub(super) fn verdicts(checks: &[Check]) -> String {
     if checks.iter().any(|check| check.claim.is_some()) {
         claims(checks)
     } else {

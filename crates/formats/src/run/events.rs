@@ -1,5 +1,4 @@
-use cogmap_mapping::Event;
-use cogmap_simulation::Session;
+use cogmap_simulation::{Session, SessionEvent};
 use serde::Serialize;
 
 use crate::json;
@@ -9,7 +8,7 @@ use crate::json;
 struct Line<'a> {
     step: usize,
     #[serde(flatten)]
-    event: &'a Event,
+    event: &'a SessionEvent,
 }
 
 /// What happened to the mapper at `index`, one line of JSON an event, in order.

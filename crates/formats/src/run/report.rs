@@ -2,7 +2,11 @@ use cogmap_mapping::{Event, FallbackRun, MapperSetup, Placement, fallback_runs};
 use cogmap_simulation::{MapperJournal, Robot, Session, Source, Stamped};
 use serde::Serialize;
 
-use super::{Extras, labels, trajectory};
+use super::{
+    Extras,
+    homing::{HomingNote, homing_note},
+    labels, trajectory,
+};
 use crate::{carmen::Counts, json};
 
 /// `report.json`: how it went in numbers, and every parameter that mattered.
@@ -13,6 +17,8 @@ struct Report<'a> {
     seed: u64,
     source: SourceNote<'a>,
     run: Run,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    homing: Option<HomingNote<'a>>,
     mappers: Vec<MapperNote<'a>>,
 }
 
@@ -96,6 +102,7 @@ pub fn report(session: &Session, extras: Extras<'_>) -> String {
         seed: record.seed,
         source: source_note(&record.source, extras.log),
         run: run(session),
+        homing: homing_note(session),
         mappers: mappers.filter_map(|(index, label)| mapper_note(session, index, label)).collect(),
     };
     json::write_file(&report, 8)
@@ -121,16 +128,12 @@ fn run(session: &Session) -> Run {
         duration,
         odometry_path_length: length(&odometry),
         path_length: truth,
-        collisions: session.journal().mappers.first().map_or(0, collisions),
+        collisions: session.journal().mappers.first().map_or(0, |mapper| mapper.collisions().count()),
     }
 }
 
-fn collisions(journal: &MapperJournal) -> usize {
-    journal.events.iter().filter(|(_, event)| matches!(event, Event::Collision { .. })).count()
-}
-
 fn loops_closed(journal: &MapperJournal) -> usize {
-    journal.events.iter().filter(|(_, event)| matches!(event, Event::LoopClosed { .. })).count()
+    journal.map_events().filter(|(_, event)| matches!(event, Event::LoopClosed { .. })).count()
 }
 
 fn length(poses: &[Stamped]) -> f64 {

@@ -1,4 +1,4 @@
-use cogmap_simulation::{Problem, SessionRecord, Source, TICK, TimedCommand};
+use cogmap_simulation::{Command, Problem, SessionRecord, Source, TICK, TimedCommand};
 use serde_json::Value;
 
 use crate::{FormatError, json::Piece, world::complain};
@@ -7,6 +7,8 @@ use crate::{FormatError, json::Piece, world::complain};
 const LONGEST: f64 = 86_400.0;
 /// The most commands that a session may hold.
 const COMMANDS_MAX: usize = 1_000_000;
+/// The most changes of the world: each makes it be arranged anew.
+const CHANGES_MAX: usize = 2_000;
 /// The most mappers that may watch one run.
 const MAPPERS_MAX: usize = 16;
 /// No command asks for more metres, radians or either a second.
@@ -63,6 +65,11 @@ fn these_commands(commands: &[TimedCommand], ticks: u64) -> Vec<Problem> {
         let message = format!("there are {}; at most {COMMANDS_MAX} can be run", commands.len());
         return vec![problem("source.commands", message)];
     }
+    let changes = commands.iter().filter(|timed| matches!(timed.command, Command::Change(_))).count();
+    if changes > CHANGES_MAX {
+        let message = format!("there are {changes} changes of the world; at most {CHANGES_MAX} can be run");
+        return vec![problem("source.commands", message)];
+    }
     let mut problems = Vec::new();
     let mut last = 0;
     for (index, timed) in commands.iter().enumerate() {
@@ -75,7 +82,7 @@ fn these_commands(commands: &[TimedCommand], ticks: u64) -> Vec<Problem> {
             problems.push(problem(format!("{place}.tick"), message));
         }
         last = last.max(timed.tick);
-        let value = serde_json::to_value(timed.command).unwrap_or_default();
+        let value = serde_json::to_value(&timed.command).unwrap_or_default();
         problems.extend(wild_numbers(&value, &place, COMMAND_MAX));
     }
     problems.truncate(TOLD_MAX);

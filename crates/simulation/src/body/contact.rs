@@ -1,6 +1,6 @@
 use cogmap_geometry::DVec2;
 
-use crate::Obstacles;
+use crate::Surroundings;
 
 /// The gap that is left between a body and what it touches, metres: rounding never closes it.
 const SKIN: f64 = 1e-6;
@@ -13,29 +13,29 @@ pub(super) struct Slide {
 
 /// Moves a disc that stands free; what it meets on the way pushes it back along its normal, so that
 /// it slides along walls. It never penetrates: where nothing helps it stays.
-pub(super) fn slide(from: DVec2, movement: DVec2, radius: f64, obstacles: &Obstacles) -> Slide {
+pub(super) fn slide(from: DVec2, movement: DVec2, radius: f64, around: Surroundings<'_>) -> Slide {
     let mut slide = Slide { position: from, touched: None };
     let pieces = (movement.length() / (radius / 4.0)).ceil().clamp(1.0, 1e4);
     for _ in 0..pieces as usize {
-        slide_a_little(&mut slide, movement / pieces, radius, obstacles);
+        slide_a_little(&mut slide, movement / pieces, radius, around);
     }
     slide
 }
 
 /// A movement of at most a quarter of the radius, so that the middle stays on its side of all walls.
-fn slide_a_little(slide: &mut Slide, movement: DVec2, radius: f64, obstacles: &Obstacles) {
+fn slide_a_little(slide: &mut Slide, movement: DVec2, radius: f64, around: Surroundings<'_>) {
     let before = slide.position;
     let mut position = before + movement;
     for _ in 0..8 {
-        let Some(nearest) = obstacles.nearest(position, radius) else {
+        let Some((_, nearest)) = around.nearest(position, radius) else {
             if position.distance(before) < radius * 0.75 {
                 slide.position = position;
             }
             return;
         };
-        slide.touched = Some(nearest.point);
-        let Some(away) = (position - nearest.point).try_normalize() else { return };
-        position = nearest.point + away * (radius + SKIN);
+        slide.touched = Some(nearest);
+        let Some(away) = (position - nearest).try_normalize() else { return };
+        position = nearest + away * (radius + SKIN);
     }
 }
 
@@ -45,7 +45,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::{Disc, Solids};
+    use crate::{Disc, Obstacles, Solids};
 
     const RADIUS: f64 = 0.25;
 
@@ -53,12 +53,16 @@ mod tests {
         let (sin, cos) = cogmap_geometry::trig::sin_cos(angle);
         let walls = [DVec2::new(99.0, 0.0), DVec2::new(cos, sin) * 99.0];
         let segments = walls.map(|end| Segment::new(DVec2::ZERO, end)).to_vec();
-        Obstacles::new(&Solids { segments, discs: vec![Disc { center: DVec2::new(3.0, 0.5), radius: 0.02 }] })
+        Obstacles::new(&Solids {
+            segments,
+            discs: vec![Disc { center: DVec2::new(3.0, 0.5), radius: 0.02 }],
+            ..Solids::default()
+        })
     }
 
     #[test]
     fn it_slides_along_a_wall_instead_of_sticking() {
-        let slide = slide(DVec2::new(5.0, 0.26), DVec2::new(0.1, -0.1), RADIUS, &corner(3.0));
+        let slide = slide(DVec2::new(5.0, 0.26), DVec2::new(0.1, -0.1), RADIUS, (&corner(3.0)).into());
         assert!(slide.touched.is_some());
         assert!((slide.position - DVec2::new(5.1, RADIUS)).length() < 1e-5, "{}", slide.position);
     }
@@ -73,7 +77,7 @@ mod tests {
             let (sin, cos) = cogmap_geometry::trig::sin_cos(angle);
             let mut position = DVec2::new(8.0, 0.5);
             for (x, y) in moves {
-                let next = slide(position, DVec2::new(x - 0.2, y - 0.1), RADIUS, &obstacles).position;
+                let next = slide(position, DVec2::new(x - 0.2, y - 0.1), RADIUS, (&obstacles).into()).position;
                 prop_assert!(obstacles.nearest(next, RADIUS - 1e-9).is_none());
                 prop_assert!(next.y > 0.0 && DVec2::new(cos, sin).perp_dot(next) < 0.0, "between the walls");
                 position = next;

@@ -3,7 +3,7 @@ use proptest::prelude::*;
 use rand_core::SeedableRng;
 
 use super::*;
-use crate::{Odometer, Solids};
+use crate::{Obstacles, Odometer, Solids};
 
 fn robot(name: &str) -> Robot {
     Robot::named(name).unwrap()
@@ -11,7 +11,7 @@ fn robot(name: &str) -> Robot {
 
 fn room(walls: &[[[f64; 2]; 2]]) -> Obstacles {
     let segments = walls.iter().map(|[a, b]| Segment::new((*a).into(), (*b).into())).collect();
-    Obstacles::new(&Solids { segments, discs: Vec::new() })
+    Obstacles::new(&Solids { segments, ..Solids::default() })
 }
 
 fn square() -> Obstacles {
@@ -30,7 +30,7 @@ struct Trip {
 fn step(robot: &Robot, obstacles: &Obstacles, turn: f64, travel: f64, seed: u64) -> Trip {
     let mut body = Body::new(robot, Pose::IDENTITY);
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
-    body.command(Command::Step { turn, travel });
+    body.command(&Command::Step { turn, travel });
     let odometer = Odometer::new(&robot.body);
     let mut trip = Trip { body, odometer, collisions: Vec::new(), end: None, seconds: 0.0 };
     while trip.end.is_none() && trip.seconds < 200.0 {
@@ -90,14 +90,14 @@ fn it_slides_along_a_wall_and_odometry_does_not_notice() {
 fn velocity_driving_speeds_up_gently_and_stops_when_told() {
     let mut body = Body::new(&robot("perfect"), Pose::IDENTITY);
     let mut rng = Pcg64Mcg::seed_from_u64(1);
-    body.command(Command::Drive { linear: 9.0, angular: 0.5 });
+    body.command(&Command::Drive { linear: 9.0, angular: 0.5 });
     for _ in 0..100 {
         let before = body.speed();
         body.tick(&room(&[]), &mut rng);
         assert!(body.speed()[0] - before[0] <= 0.8 * TICK + 1e-12);
     }
     assert_eq!(body.speed(), [1.2, 0.5]);
-    body.command(Command::Stop);
+    body.command(&Command::Stop);
     for _ in 0..80 {
         body.tick(&room(&[]), &mut rng);
     }
@@ -108,11 +108,11 @@ fn velocity_driving_speeds_up_gently_and_stops_when_told() {
 fn a_step_ordered_under_way_begins_when_the_robot_stands() {
     let mut body = Body::new(&robot("perfect"), Pose::IDENTITY);
     let mut rng = Pcg64Mcg::seed_from_u64(1);
-    body.command(Command::Drive { linear: 1.0, angular: 0.0 });
+    body.command(&Command::Drive { linear: 1.0, angular: 0.0 });
     for _ in 0..60 {
         body.tick(&room(&[]), &mut rng);
     }
-    body.command(Command::Step { turn: -FRAC_PI_2, travel: 1.0 });
+    body.command(&Command::Step { turn: -FRAC_PI_2, travel: 1.0 });
     let mut ticks = 0;
     while body.tick(&room(&[]), &mut rng).step_end.is_none() {
         ticks += 1;
@@ -141,7 +141,7 @@ proptest! {
         let mut body = Body::new(&robot, Pose::IDENTITY);
         let mut rng = Pcg64Mcg::seed_from_u64(seed);
         for (command, ticks) in commands {
-            body.command(command);
+            body.command(&command);
             for _ in 0..ticks {
                 body.tick(&obstacles, &mut rng);
                 let pose = body.world_from_robot();

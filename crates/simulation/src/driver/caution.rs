@@ -10,6 +10,7 @@ const SIGMAS: f64 = 3.0;
 
 /// How far a robot may end up from where it was sent: what the person at the controls has learnt
 /// from watching it.
+#[derive(Clone, Debug)]
 pub(super) struct Caution {
     body: BodyParams,
     errors: OdometryErrors,

@@ -64,7 +64,7 @@ impl Planner {
 
     /// All that can be reached from a point on ways of at most `length` metres: places a cell apart,
     /// nearest first.
-    pub(super) fn reachable(&mut self, from: DVec2, length: f64) -> Vec<DVec2> {
+    pub(crate) fn reachable(&mut self, from: DVec2, length: f64) -> Vec<DVec2> {
         Search::new(self, from).all_within(length)
     }
 
@@ -75,7 +75,7 @@ impl Planner {
     }
 
     /// Metres to the nearest solid, at most what is comfortable.
-    pub(super) fn room_at(&self, point: DVec2) -> f64 {
+    pub(crate) fn room_at(&self, point: DVec2) -> f64 {
         let comfort = self.keep + COMFORT;
         self.obstacles.nearest(point, comfort).map_or(comfort, |nearest| nearest.distance)
     }
@@ -130,7 +130,7 @@ impl Planner {
     }
 
     /// Begins with fresh patience.
-    pub(super) fn rest(&mut self) {
+    pub(crate) fn rest(&mut self) {
         self.patience = PATIENCE;
     }
 

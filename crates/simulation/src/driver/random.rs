@@ -8,11 +8,11 @@ use crate::{Robot, World, chance};
 /// How long a random route may be, metres.
 const LENGTHS: [f64; 2] = [10.0, 60.0];
 /// How far from its start it ends at least, metres.
-const AWAY: f64 = 6.0;
+pub(crate) const AWAY: f64 = 6.0;
 /// Its points lie at most so far apart, metres: a step of the thesis's long drives.
 const STEP: f64 = 0.85;
 /// The room that the places to visit have around them besides the robot's own, metres.
-const AMPLE: f64 = 0.15;
+pub(crate) const AMPLE: f64 = 0.15;
 /// How many ways are begun, and how many places are drawn for each, before giving up.
 const TRIES: usize = 20;
 
@@ -41,16 +41,21 @@ fn draw(places: &[DVec2], rng: &mut Pcg64Mcg) -> Option<DVec2> {
 
 /// A way under construction.
 #[derive(Clone)]
-struct Tour {
+pub(crate) struct Tour {
     length: f64,
-    points: Vec<DVec2>,
+    pub(crate) points: Vec<DVec2>,
 }
 
 impl Tour {
+    /// A way that has only just begun.
+    pub(crate) fn from(start: DVec2) -> Self {
+        Self { length: 0.0, points: vec![start] }
+    }
+
     /// Visits places drawn at random until it is as long as it was drawn to be.
     fn through(places: &[DVec2], planner: &mut Planner, start: DVec2, rng: &mut Pcg64Mcg) -> Self {
         let wanted = LENGTHS[1] * 0.8 * chance::uniform(rng);
-        let mut tour = Self { length: 0.0, points: vec![start] };
+        let mut tour = Self::from(start);
         for _ in 0..TRIES {
             let longer = tour.extended(draw(places, rng), planner);
             tour = longer.filter(|tour| tour.length <= LENGTHS[1]).unwrap_or(tour);
@@ -61,11 +66,13 @@ impl Tour {
         tour
     }
 
-    fn is_fitting(&self) -> bool {
+    /// Whether it is as long as an outing should be.
+    pub(crate) fn is_fitting(&self) -> bool {
         (LENGTHS[0]..=LENGTHS[1]).contains(&self.length)
     }
 
-    fn extended(&self, to: Option<DVec2>, planner: &mut Planner) -> Option<Self> {
+    /// The same and on to a place; `None` where nothing leads there.
+    pub(crate) fn extended(&self, to: Option<DVec2>, planner: &mut Planner) -> Option<Self> {
         let mut tour = self.clone();
         for point in planner.way(*tour.points.last()?, to?).ok()? {
             tour.length += tour.points.last()?.distance(point);
@@ -75,7 +82,7 @@ impl Tour {
     }
 
     /// Its points after the start, with others between so that none is more than a step from the next.
-    fn in_steps(&self) -> Vec<DVec2> {
+    pub(crate) fn in_steps(&self) -> Vec<DVec2> {
         let legs = self.points.iter().zip(self.points.iter().skip(1));
         let split = legs.flat_map(|(&from, &to)| {
             let steps = (from.distance(to) / STEP).ceil().max(1.0);

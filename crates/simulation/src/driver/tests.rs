@@ -1,3 +1,4 @@
+use cogmap_geometry::normalize_angle;
 use rand_core::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
@@ -37,7 +38,7 @@ pub(crate) fn drive(world: &World, robot: &Robot, route: &[DVec2], seed: u64) ->
     };
     while let Some(command) = driver.next_command(body.world_from_robot()) {
         trip.steps += 1;
-        body.command(command);
+        body.command(&command);
         loop {
             let (before, believed) = (body.world_from_robot(), odometer.odom_from_robot());
             let tick = body.tick(&obstacles, &mut rng);

@@ -31,6 +31,11 @@ impl RayGrid {
         Self { solids, cells }
     }
 
+    /// How many solids it holds.
+    pub(crate) fn len(&self) -> usize {
+        self.solids.len()
+    }
+
     /// Replaces `hits` by what each beam of `fan` meets first.
     pub fn cast(&self, fan: &Fan, hits: &mut Vec<Option<Hit>>) {
         self.cast_with(fan, &[], &[], hits);

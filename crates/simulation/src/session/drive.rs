@@ -8,9 +8,12 @@ use rand_pcg::Pcg64Mcg;
 use super::{
     SessionRecord, Source,
     feed::{Observation, Turn},
+    people::Walker,
+    stage::{Bodies, Stage},
 };
 use crate::{
-    Body, BoxObstacle, Command, Laser, Obstacles, Odometer, Problem, RayGrid, Solids, TICK, TimedCommand,
+    Body, BoxObstacle, Command, Disc, Laser, Odometer, Problem, Robot, Solids, Surroundings, TICK,
+    TimedCommand, World, WorldChange,
 };
 
 /// While a step is driven the laser records each so many metres …
@@ -25,6 +28,8 @@ const SCAN_TICKS: u64 = 10;
 #[derive(Clone)]
 pub(super) struct Drive {
     stage: Arc<Stage>,
+    walkers: Vec<Walker>,
+    people: Vec<Disc>,
     tick: u64,
     next_command: usize,
     body: Body,
@@ -43,15 +48,6 @@ struct Look {
     moment: Moment,
     scan: Arc<Scan>,
     beam_solids: Arc<[Option<u32>]>,
-}
-
-/// What never changes during a run.
-struct Stage {
-    solids: Solids,
-    boxes: Vec<BoxObstacle>,
-    obstacles: Obstacles,
-    grid: RayGrid,
-    laser: Laser,
 }
 
 /// What is going on, as far as the laser's shutter is concerned.
@@ -74,11 +70,11 @@ impl Drive {
         if !problems.is_empty() {
             return Err(problems);
         }
-        let solids = Solids::of(world);
         let [mut manufacture, slip, noise] = [0, 1, 2].map(|stream| stream_of(record.seed, stream));
         let laser = Laser::new(&robot.laser, &mut manufacture);
         let [x, y] = world.start.position;
         let start = Pose::new(x, y, world.start.heading_deg.to_radians());
+        let walkers: Vec<Walker> = world.people.iter().map(Walker::new).collect();
         Ok(Self {
             tick: 0,
             next_command: 0,
@@ -88,20 +84,17 @@ impl Drive {
             noise,
             motion: Motion::Resting,
             last_look: None,
-            stage: Arc::new(Stage {
-                grid: RayGrid::new(&solids.segments, &solids.discs),
-                boxes: world.boxes.clone(),
-                obstacles: Obstacles::new(&solids),
-                solids,
-                laser,
-            }),
+            people: walkers.iter().map(Walker::disc).collect(),
+            walkers,
+            stage: Arc::new(Stage::new(world, robot, laser)),
         })
     }
 
-    /// One tick: hear, move, count the wheels, look if it is time.
-    pub(super) fn advance(&mut self, commands: &[TimedCommand]) -> Turn {
-        self.hear(commands);
-        let moved = self.body.tick(&self.stage.obstacles, &mut self.slip);
+    /// One tick: move, count the wheels, look if it is time.
+    pub(super) fn advance(&mut self) -> Turn {
+        self.let_people_walk();
+        let around = Surroundings { obstacles: self.stage.obstacles(), people: &self.people };
+        let moved = self.body.tick(around, &mut self.slip);
         self.odometer.record(moved.turns);
         self.tick += 1;
         let observation = if moved.step_end.is_some() {
@@ -113,21 +106,64 @@ impl Drive {
         Turn { observation, collision: moved.collision }
     }
 
-    fn hear(&mut self, commands: &[TimedCommand]) {
-        while let Some(timed) = commands.get(self.next_command).filter(|c| c.tick <= self.tick) {
-            self.body.command(timed.command);
-            self.motion = match timed.command {
-                Command::Step { .. } => Motion::Stepping,
-                Command::Drive { .. } | Command::Stop | Command::Kidnap { .. } => Motion::Rolling,
-            };
-            if let Command::Kidnap { position: [x, y], heading_deg } = timed.command {
-                let set_down = Pose::new(x, y, heading_deg.to_radians());
-                if !self.stage.boxes.iter().any(|carton| carton.contains(set_down.position)) {
-                    self.body.kidnap(set_down, &self.stage.obstacles);
-                }
-            }
-            self.next_command += 1;
+    fn let_people_walk(&mut self) {
+        let robot = self.footprint();
+        for (walker, person) in self.walkers.iter_mut().zip(&mut self.people) {
+            walker.walk(robot, self.stage.obstacles());
+            *person = walker.disc();
         }
+    }
+
+    /// The next command whose time has come.
+    pub(super) fn hear(&mut self, commands: &[TimedCommand]) -> Option<Command> {
+        let timed = commands.get(self.next_command).filter(|timed| timed.tick <= self.tick)?;
+        self.next_command += 1;
+        Some(timed.command.clone())
+    }
+
+    /// Begins to do as it was told.
+    pub(super) fn obey(&mut self, command: &Command) {
+        self.body.command(command);
+        self.motion = match command {
+            Command::Step { .. } => Motion::Stepping,
+            _ => Motion::Rolling,
+        };
+        if let Command::Kidnap { position: [x, y], heading_deg } = *command {
+            let around = Surroundings { obstacles: self.stage.obstacles(), people: &self.people };
+            self.body.kidnap(Pose::new(x, y, heading_deg.to_radians()), around);
+        }
+    }
+
+    /// Changes the building; `Ok(false)` where it is so already, and an error that says what speaks against it.
+    pub(super) fn change(&mut self, change: &WorldChange) -> Result<bool, String> {
+        let next = self.stage.after(change, self.bodies())?;
+        let changed = next.is_some();
+        self.stage = next.map_or_else(|| Arc::clone(&self.stage), Arc::new);
+        Ok(changed)
+    }
+
+    /// What speaks against a command.
+    pub(super) fn refusal(&self, command: &Command) -> Option<String> {
+        match command {
+            Command::Change(change) => self.stage.after(change, self.bodies()).err(),
+            Command::Kidnap { position: [x, y], heading_deg } => {
+                let set_down = Pose::new(*x, *y, heading_deg.to_radians());
+                let around = Surroundings { obstacles: self.stage.obstacles(), people: &self.people };
+                let in_a_box = self.world().boxes.iter().any(|carton| carton.contains(set_down.position));
+                let free = !in_a_box && self.body.fits(set_down, around);
+                (!free).then(|| "something stands there".to_owned())
+            }
+            _ => None,
+        }
+    }
+
+    fn footprint(&self) -> Disc {
+        let radius = self.stage.robot().body.radius;
+        Disc { center: self.body.world_from_robot().position, radius }
+    }
+
+    fn bodies(&self) -> Bodies<'_> {
+        Bodies { robot: self.footprint(), people: &self.people }
     }
 
     /// Whether the laser records now, between the ends of steps.
@@ -154,7 +190,7 @@ impl Drive {
 
     fn scan(&mut self, moment: Moment) -> Observation {
         let world_from_robot = self.body.world_from_robot();
-        let (scan, beam_solids) = self.stage.laser.scan(&self.stage.grid, world_from_robot, &mut self.noise);
+        let (scan, beam_solids) = self.stage.scan(world_from_robot, &self.people, &mut self.noise);
         let odom_from_robot = self.odom_from_robot();
         let (tick, solids) = (self.tick, Arc::from(beam_solids.as_slice()));
         let look = Look { tick, odom_from_robot, moment, scan: Arc::new(scan.clone()), beam_solids: solids };
@@ -174,6 +210,35 @@ impl Drive {
 
     pub(super) fn at_rest(&self) -> bool {
         self.body.at_rest()
+    }
+
+    /// Whether it moves straight ahead.
+    pub(super) fn advances(&self) -> bool {
+        self.body.speed()[0] > 0.0
+    }
+
+    /// The building as it is now.
+    pub(super) fn world(&self) -> &World {
+        self.stage.world()
+    }
+
+    pub(super) fn robot(&self) -> &Robot {
+        self.stage.robot()
+    }
+
+    /// The boxes by their numbers; `None` where one was taken away.
+    pub(super) fn boxes(&self) -> &[Option<BoxObstacle>] {
+        self.stage.boxes()
+    }
+
+    /// How often the building was changed.
+    pub(super) fn changes(&self) -> usize {
+        self.stage.changes()
+    }
+
+    /// The people, where they are now.
+    pub(super) fn people(&self) -> &[Disc] {
+        &self.people
     }
 
     pub(super) fn world_from_robot(&self) -> Pose {
@@ -197,7 +262,7 @@ impl Drive {
     }
 
     pub(super) fn solids(&self) -> &Solids {
-        &self.stage.solids
+        self.stage.solids()
     }
 }
 

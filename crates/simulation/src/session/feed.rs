@@ -4,7 +4,7 @@ use cogmap_geometry::{DVec2, Pose};
 use cogmap_mapping::perception::{Reading, Scan};
 
 use super::{SessionRecord, Stamped, drive::Drive};
-use crate::{Problem, TimedCommand};
+use crate::Problem;
 
 /// A recorded log: what reached the robot's program, and nothing of the truth.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -53,9 +53,9 @@ impl Feed {
         }
     }
 
-    pub(super) fn advance(&mut self, commands: &[TimedCommand]) -> Option<Turn> {
+    pub(super) fn advance(&mut self) -> Option<Turn> {
         match self {
-            Self::Drive(drive) => Some(drive.advance(commands)),
+            Self::Drive(drive) => Some(drive.advance()),
             Self::Log { recording, next } => {
                 let reading = recording.readings.get(*next)?.clone();
                 *next += 1;

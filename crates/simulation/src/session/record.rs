@@ -18,6 +18,10 @@ pub struct SessionRecord {
     pub source: Source,
     /// The mappers, each fed the same readings.
     pub mappers: Vec<MapperSetup>,
+    /// Whose belief leads the robot home where it is not the first mapper's: the one that led it when the
+    /// run was driven.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub navigator: Option<MapperSetup>,
     /// Everything random comes from it.
     pub seed: u64,
 }
@@ -58,7 +62,17 @@ impl SessionRecord {
     #[must_use]
     pub fn new(source: Source, mappers: Vec<MapperSetup>, seed: u64) -> Self {
         let engine = env!("CARGO_PKG_VERSION").to_owned();
-        Self { format: SESSION_FORMAT.to_owned(), engine, source, mappers, seed }
+        Self { format: SESSION_FORMAT.to_owned(), engine, source, mappers, navigator: None, seed }
+    }
+
+    /// The same run for other mappers. A robot that went home goes the same way again: it still believes
+    /// what it believed then.
+    #[must_use]
+    pub fn with_mappers(&self, mappers: Vec<MapperSetup>) -> Self {
+        let navigator = self.navigator.clone().or_else(|| self.mappers.first().cloned());
+        let led = self.commands().iter().any(|timed| matches!(timed.command, Command::GoHome { .. }));
+        let navigator = navigator.filter(|navigator| led && mappers.first() != Some(navigator));
+        Self { mappers, navigator, ..self.clone() }
     }
 
     /// What the robot was told; a log's robot was told nothing.
@@ -76,7 +90,7 @@ impl SessionRecord {
         let Source::World { commands, ticks, .. } = &mut self.source else { return false };
         commands.retain(|timed| timed.tick < tick);
         *ticks = tick;
-        let holds = !matches!(command, Command::Step { .. } | Command::Kidnap { .. })
+        let holds = matches!(command, Command::Drive { .. } | Command::Stop)
             && commands.last().is_some_and(|last| last.command == command);
         if !holds {
             commands.push(TimedCommand { tick, command });

@@ -13,6 +13,31 @@ pub struct Obstacles {
     tree: Bvh,
 }
 
+/// What a body can run into: what stands still, and people.
+#[derive(Clone, Copy)]
+pub struct Surroundings<'a> {
+    /// What stands still.
+    pub obstacles: &'a Obstacles,
+    /// People, where they are now.
+    pub people: &'a [Disc],
+}
+
+impl<'a> From<&'a Obstacles> for Surroundings<'a> {
+    fn from(obstacles: &'a Obstacles) -> Self {
+        Self { obstacles, people: &[] }
+    }
+}
+
+impl Surroundings<'_> {
+    /// The nearest point of what is nearest to a point, of all that is closer than `within` metres: how far
+    /// it is, and where.
+    pub(crate) fn nearest(&self, point: DVec2, within: f64) -> Option<(f64, DVec2)> {
+        let still = self.obstacles.nearest(point, within).map(|nearest| (nearest.distance, nearest.point));
+        let people = self.people.iter().map(|&person| Solid::Disc(person).nearest(point));
+        people.filter(|(distance, _)| *distance < within).chain(still).min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+}
+
 /// The nearest point of the nearest solid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nearest {
@@ -35,7 +60,8 @@ impl Obstacles {
     #[must_use]
     pub fn new(solids: &Solids) -> Self {
         let segments = solids.segments.iter().copied().map(Solid::Segment);
-        let all: Vec<Solid> = segments.chain(solids.discs.iter().copied().map(Solid::Disc)).collect();
+        let all = segments.chain(solids.discs.iter().copied().map(Solid::Disc));
+        let all: Vec<Solid> = all.chain(solids.added.iter().copied().map(Solid::Segment)).collect();
         let leaves = all.iter().map(Solid::bounds).enumerate();
         let leaves = leaves.filter(|(_, bounds)| bounds.mins.is_finite() && bounds.maxs.is_finite());
         let tree = Bvh::from_iter(BvhBuildStrategy::Binned, leaves);
@@ -130,6 +156,7 @@ mod tests {
             Solids {
                 segments: ends.into_iter().map(|(a, b)| Segment::new(a, b)).collect(),
                 discs: discs.into_iter().map(|(center, radius)| Disc { center, radius }).collect(),
+                ..Solids::default()
             }
         }
     }
@@ -164,14 +191,14 @@ mod tests {
     #[test]
     fn solids_without_a_finite_place_are_left_out() {
         let wall = Segment::new(DVec2::new(f64::NAN, 0.0), DVec2::ONE);
-        let solids = Solids { segments: vec![wall], discs: Vec::new() };
+        let solids = Solids { segments: vec![wall], ..Solids::default() };
         assert_eq!(Obstacles::new(&solids).nearest(DVec2::ZERO, 5.0), None);
     }
 
     #[test]
     fn a_heap_of_solids_in_one_place_is_no_trouble() {
         let wall = Segment::new(DVec2::ZERO, DVec2::X);
-        let solids = Solids { segments: vec![wall; 50_000], discs: Vec::new() };
+        let solids = Solids { segments: vec![wall; 50_000], ..Solids::default() };
         let nearest = Obstacles::new(&solids).nearest(DVec2::new(0.5, 0.25), 1.0).unwrap();
         assert_eq!((nearest.distance, nearest.solid), (0.25, 0));
     }

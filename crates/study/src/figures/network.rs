@@ -49,7 +49,7 @@ fn counted(network: &Network) -> String {
 
 /// The first loop that was closed, in words.
 fn closing(journal: &MapperJournal) -> Option<String> {
-    journal.events.iter().find_map(|(step, event)| match event {
+    journal.map_events().find_map(|(step, event)| match event {
         Event::LoopClosed { asr, instead_of, .. } => {
             let space = instead_of.map_or("the space ahead".to_owned(), |newer| format!("space {}", newer.0));
             Some(format!("In view {} it finds that {space} is space {}.", step + 1, asr.0))

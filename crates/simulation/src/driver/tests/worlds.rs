@@ -95,7 +95,7 @@ fn on_the_way_through_the_long_corridors_no_end_can_be_seen() {
     for (name, origin, beams) in all_round.into_iter().chain(southward) {
         let grid = crate::RayGrid::new(&Solids::of(&world(name)).segments, &[]);
         let spacing = 0.5_f64.to_radians();
-        let fan = crate::Fan { origin, heading: -trig::PI, spacing, beams, range_max: 8.19 };
+        let fan = crate::Fan { origin, heading: -cogmap_geometry::trig::PI, spacing, beams, range_max: 8.19 };
         let mut hits = Vec::new();
         grid.cast(&fan, &mut hits);
         let walls: std::collections::BTreeSet<u32> = hits.iter().flatten().map(|hit| hit.solid).collect();

@@ -1,0 +1,53 @@
+use super::*;
+use crate::Building;
+
+fn floor(seed: u64) -> (World, Vec<DVec2>) {
+    let world = Building::generate(seed);
+    let route = world.routes["out"].iter().map(|&point| point.into()).collect();
+    (world, route)
+}
+
+#[test]
+fn every_setting_can_be_simulated_and_leaves_a_way_home_but_the_one_that_must_not() {
+    let mut made = [0; Setting::ALL.len()];
+    for seed in 1..20 {
+        let (world, route) = floor(seed);
+        for (k, setting) in Setting::ALL.into_iter().enumerate() {
+            let Some(episode) = Episode::new(&world, &route, setting, seed) else { continue };
+            made[k] += 1;
+            assert_eq!(episode.world.problems(), [], "seed {seed}, {}", setting.name());
+            let (home, end) = (world.start.position.into(), *route.last().unwrap());
+            let leads = Reach::AMPLE.leads(&episode.world_at_command(), end, home);
+            assert_eq!(leads, setting != Setting::NoWay, "seed {seed}, {}", setting.name());
+        }
+    }
+    // Not every way leads through a door whose closing leaves another way; most of the rest can be had.
+    assert!(made.iter().all(|&made| made >= 3), "{made:?}");
+    assert!([0, 1, 2, 5, 6].iter().all(|&k| made[k] >= 15), "{made:?}");
+}
+
+#[test]
+fn the_same_seed_makes_the_same_episode() {
+    let (world, route) = floor(5);
+    for setting in Setting::ALL {
+        assert_eq!(Episode::new(&world, &route, setting, 5), Episode::new(&world, &route, setting, 5));
+        assert_eq!(Setting::named(setting.name()), Some(setting));
+    }
+}
+
+#[test]
+fn cartons_fall_on_the_way_and_a_narrow_course_leaves_it_free() {
+    let (world, route) = floor(2);
+    let dropped = Episode::new(&world, &route, Setting::BoxesDropped, 2).unwrap();
+    for change in &dropped.changes {
+        let WorldChange::AddBox { center, .. } = change else { panic!("{change:?}") };
+        let off = route.iter().map(|point| point.distance(DVec2::from(*center))).fold(9.0, f64::min);
+        assert!(off < 0.5, "{off}");
+    }
+    let narrow = Episode::new(&world, &route, Setting::Narrow, 2).unwrap();
+    for carton in &narrow.world.boxes[world.boxes.len()..] {
+        let edges = carton.edges();
+        let near = |leg: cogmap_geometry::Segment| edges.iter().any(|e| e.distance_to(leg.midpoint()) < 0.375);
+        assert!(!reach::legs(world.start.position.into(), &route).any(near));
+    }
+}
