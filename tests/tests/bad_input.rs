@@ -185,6 +185,24 @@ const BAD_SESSIONS: &[Case<'_>] = &[
         "choose a number from -1000 to 1000",
     ),
     ("\"stop\"", "\"fly\"", "line 6, column 96, at `source.commands[1]`", "write one of those"),
+    (
+        "{\"tick\": 9, \"do\": \"stop\"}",
+        "{\"tick\": 9, \"do\": \"go_home\", \"strategy\": \"fly\"}",
+        "line 6, column 68, at `source.commands[1]",
+        "retrace, oracle",
+    ),
+    (
+        "{\"tick\": 9, \"do\": \"stop\"}",
+        "{\"tick\": 9, \"do\": \"go_home\", \"strategy\": {\"strategy\": \"retrace\", \"passed\": 1e9}}",
+        "at `source.commands[1].strategy.passed`",
+        "choose a number from -1000000 to 1000000",
+    ),
+    (
+        "{\"tick\": 9, \"do\": \"stop\"}",
+        "{\"tick\": 9, \"do\": \"change\", \"what\": \"dor\", \"name\": \"d\", \"open\": true}",
+        "at `source.commands[1]",
+        "did you mean `door`?",
+    ),
     ("\"perceptual\"", "\"perceptul\"", "at `mappers[0]", "did you mean `perceptual`?"),
     ("\"perceptual\"", "\"perceptual\", \"matching\": {\"x\": 1}", "at `mappers[0]`", "known here: "),
     ("[{\"mapper\": \"perceptual\"}]", "[]", "line 8, column 14, at `mappers`", "name from 1 to 16 mappers"),
@@ -197,6 +215,10 @@ fn a_bad_session_names_the_place_and_the_way_out() {
     check_all("s.json", BAD_SESSIONS.iter().copied(), |case| {
         session::read(&changed(SESSION, case), "s.json")
     });
+    let door = ", {\"tick\": 9, \"do\": \"change\", \"what\": \"door\", \"name\": \"d\", \"open\": true}";
+    let changes = format!("\"stop\"}}{}]", door.repeat(2001));
+    let case = ("\"stop\"}]", &*changes, "at `source.commands`", "at most 2000 can be run");
+    check("s.json", case, session::read(&changed(SESSION, case), "s.json"));
     let seventeen = format!("[{}]", ["{\"mapper\": \"odometry\"}"; 17].join(","));
     let case = ("[{\"mapper\": \"perceptual\"}]", &*seventeen, "at `mappers`", "name from 1 to 16 mappers");
     check("s.json", case, session::read(&changed(SESSION, case), "s.json"));

@@ -18,6 +18,9 @@ mod figures;
 // Pictures are compared byte by byte with those in `tests/goldens/`.
 mod goldens;
 
+// A robot finds home in designed worlds, whoever finds the way, and its session replays it.
+mod homing;
+
 // One session gives the same map natively, in Node and in a browser.
 mod same_bytes;
 

@@ -27,9 +27,15 @@ pub(crate) fn study(arguments: &StudyArguments) -> Result<(), Failure> {
     if name == cogmap_study::home::NAME {
         return home::home(arguments);
     }
-    let only_home = [("--robot", &arguments.robots), ("--setting", &arguments.settings), ("--strategy", &arguments.strategies)];
+    let only_home = [
+        ("--robot", &arguments.robots),
+        ("--setting", &arguments.settings),
+        ("--strategy", &arguments.strategies),
+    ];
     if let Some((option, _)) = only_home.iter().find(|(_, names)| !names.is_empty()) {
-        return Err(Failure::input(format!("{option}: only the study `home` can be asked so")).help("leave it out"));
+        return Err(
+            Failure::input(format!("{option}: only the study `home` can be asked so")).help("leave it out")
+        );
     }
     let study = Study::named(name).ok_or_else(|| unknown(name))?;
     let mut timing = Timing::start();

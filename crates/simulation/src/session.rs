@@ -9,19 +9,17 @@ mod people;
 mod pilot;
 mod record;
 mod stage;
+mod truth;
 mod variation;
 mod way_home;
 
 use std::sync::Arc;
 
 use cogmap_geometry::Pose;
-use cogmap_mapping::{
-    Mapper, MapperSetup,
-    perception::{Moment, Scan},
-};
+use cogmap_mapping::{Mapper, MapperSetup, perception::Scan};
+use cogmap_navigation::Act;
 
 use checkpoint::Checkpoints;
-use cogmap_navigation::Act;
 pub use feed::Recording;
 use feed::{Feed, Observation};
 pub use journal::{Homeward, Journal, MapperJournal, Stamped, wall_of};
@@ -29,7 +27,7 @@ pub use pilot::Pilot;
 pub use record::{SESSION_FORMAT, SessionRecord, Source};
 pub use way_home::{Ending, WayHome};
 
-use crate::{BoxObstacle, Command, Disc, Problem, SessionEvent, Solids, Strategy, World, WorldEvent};
+use crate::{Command, Problem, SessionEvent, Strategy, WorldEvent};
 
 /// A world, a robot, a seed and commands, or a recorded log; and the mappers that are fed from it.
 /// The same record always gives the same journal, to the last bit, on every platform.
@@ -38,6 +36,8 @@ pub struct Session {
     live: Live,
     journal: Journal,
     checkpoints: Checkpoints,
+    /// Whether something was told at this very moment already.
+    told: bool,
 }
 
 /// What changes as a run goes on; cloning it is a checkpoint.
@@ -77,7 +77,7 @@ impl Session {
         let journal = Journal::for_mappers(record.mappers.len());
         let checkpoints = Checkpoints::new(feed.interval());
         let live = Live { feed, mappers, pilot: None };
-        let mut session = Self { record, live, journal, checkpoints };
+        let mut session = Self { record, live, journal, checkpoints, told: false };
         session.first_look();
         session.checkpoints.keep(&session.live, &session.journal);
         session
@@ -108,11 +108,12 @@ impl Session {
         let mut checkpoints = Checkpoints::new(self.live.feed.interval());
         checkpoints.keep(&self.live, &self.journal);
         let (record, live, journal) = (self.record.clone(), self.live.clone(), self.journal.clone());
-        Self { record, live, journal, checkpoints }
+        Self { record, live, journal, checkpoints, told: self.told }
     }
 
     /// One turn of the world: a tick of a drive, a reading of a log. `false` where a log is at its end.
     pub fn advance(&mut self) -> bool {
+        self.told = false;
         self.hear();
         self.lead();
         let Some(turn) = self.live.feed.advance() else { return false };
@@ -196,7 +197,7 @@ impl Session {
             return;
         }
         let tick = self.live.feed.position();
-        if self.record.tell(tick, command) {
+        if self.record.tell(tick, command, std::mem::replace(&mut self.told, true)) {
             self.checkpoints.forget_after(tick);
         }
     }
@@ -218,6 +219,7 @@ impl Session {
         {
             self.live = live;
         }
+        self.told = false;
         while self.live.feed.position() < position && self.advance() {}
     }
 
@@ -276,42 +278,6 @@ impl Session {
         self.live.pilot.as_ref()
     }
 
-    /// The building as it is now; `None` for logs.
-    #[must_use]
-    pub fn world(&self) -> Option<&World> {
-        match &self.live.feed {
-            Feed::Drive(drive) => Some(drive.world()),
-            Feed::Log { .. } => None,
-        }
-    }
-
-    /// The boxes by their numbers, `None` where one was taken away; none for logs.
-    #[must_use]
-    pub fn boxes(&self) -> &[Option<BoxObstacle>] {
-        match &self.live.feed {
-            Feed::Drive(drive) => drive.boxes(),
-            Feed::Log { .. } => &[],
-        }
-    }
-
-    /// The people, where they are now; none for logs.
-    #[must_use]
-    pub fn people(&self) -> &[Disc] {
-        match &self.live.feed {
-            Feed::Drive(drive) => drive.people(),
-            Feed::Log { .. } => &[],
-        }
-    }
-
-    /// Where the robot truly is; `None` for logs.
-    #[must_use]
-    pub fn world_from_robot(&self) -> Option<Pose> {
-        match &self.live.feed {
-            Feed::Drive(drive) => Some(drive.world_from_robot()),
-            Feed::Log { .. } => None,
-        }
-    }
-
     /// Where odometry believes the robot is.
     #[must_use]
     pub fn odom_from_robot(&self) -> Pose {
@@ -325,33 +291,6 @@ impl Session {
     #[must_use]
     pub fn last_scan(&self) -> Option<&Scan> {
         self.live.feed.last_scan()
-    }
-
-    /// How the robot was moving when the laser saw it; `None` for logs.
-    #[must_use]
-    pub fn last_moment(&self) -> Option<Moment> {
-        match &self.live.feed {
-            Feed::Drive(drive) => drive.last_moment(),
-            Feed::Log { .. } => None,
-        }
-    }
-
-    /// Which solid each beam of it truly measured; `None` for logs.
-    #[must_use]
-    pub fn last_beam_solids(&self) -> Option<&[Option<u32>]> {
-        match &self.live.feed {
-            Feed::Drive(drive) => drive.last_beam_solids(),
-            Feed::Log { .. } => None,
-        }
-    }
-
-    /// The building as the laser and the body meet it; `None` for logs.
-    #[must_use]
-    pub fn solids(&self) -> Option<&Solids> {
-        match &self.live.feed {
-            Feed::Drive(drive) => Some(drive.solids()),
-            Feed::Log { .. } => None,
-        }
     }
 }
 

@@ -14,7 +14,8 @@ const MORE: [&str; 6] = ["strategy", "way ÷ out", "fail-safe", "re-entries", "r
 pub(super) fn of(plan: &Plan, summary: &HomeSummary, times: &DecisionTimes) -> String {
     let last = plan.seeds.first + plan.seeds.count - 1;
     let mut said = format!("home, seeds {} to {last}\n", plan.seeds.first);
-    let same = |a: &HomeFigures, b: &HomeFigures| (a.place, a.setting, &a.robot) == (b.place, b.setting, &b.robot);
+    let same =
+        |a: &HomeFigures, b: &HomeFigures| (a.place, a.setting, &a.robot) == (b.place, b.setting, &b.robot);
     for group in summary.groups.chunk_by(same) {
         let Some(HomeFigures { place, setting, robot, undriven, .. }) = group.first() else { continue };
         let undriven = match undriven {
@@ -26,7 +27,10 @@ pub(super) fn of(plan: &Plan, summary: &HomeSummary, times: &DecisionTimes) -> S
     }
     said += &pairs(summary);
     if !summary.checks.is_empty() {
-        said += &format!("\nWhat the runs say of `recommended` with the bad robot\n{}", verdicts(&summary.checks));
+        said += &format!(
+            "\nWhat the runs say of `recommended` with the bad robot\n{}",
+            verdicts(&summary.checks)
+        );
     }
     said + LEGEND + &thinking(times)
 }
@@ -35,7 +39,8 @@ fn figures(group: &[HomeFigures]) -> Table {
     let mut table = Table::new(&HEADS);
     for of in group {
         let [half, one, more] = of.success;
-        let offset = of.home_offset.map_or("–".to_owned(), |[median, worst]| format!("{median:.2}, {worst:.2}"));
+        let offset =
+            of.home_offset.map_or("–".to_owned(), |[median, worst]| format!("{median:.2}, {worst:.2}"));
         table.row(vec![
             of.strategy.clone(),
             of.episodes.to_string(),
@@ -47,7 +52,9 @@ fn figures(group: &[HomeFigures]) -> Table {
             number(of.spl),
             short(of.path_ratio),
             short_share(of.shortcuts),
-            of.collided.map_or("–".to_owned(), |rate| format!("{:.1} % (≤ {:.1})", rate.value * 100.0, rate.interval.high * 100.0)),
+            of.collided.map_or("–".to_owned(), |rate| {
+                format!("{:.1} % (≤ {:.1})", rate.value * 100.0, rate.interval.high * 100.0)
+            }),
             offset,
         ]);
     }
@@ -69,7 +76,11 @@ fn pairs(summary: &HomeSummary) -> String {
         let place = format!("{}, {}", pair.setting, pair.robot);
         table.row(vec![place, pair.strategy.clone(), pair.with.clone(), number(pair.more)]);
     }
-    if summary.pairs.is_empty() { String::new() } else { format!("\nOn the same ways home\n{}", table.render()) }
+    if summary.pairs.is_empty() {
+        String::new()
+    } else {
+        format!("\nOn the same ways home\n{}", table.render())
+    }
 }
 
 fn thinking(times: &DecisionTimes) -> String {

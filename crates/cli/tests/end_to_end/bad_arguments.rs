@@ -3,7 +3,7 @@ use std::fs;
 use crate::workbench::{ROOM, Workbench};
 
 /// Arguments, what the message must name, and the way out that it must show.
-const CASES: [(&str, &str, &str); 62] = [
+const CASES: [(&str, &str, &str); 65] = [
     ("fly", "'fly'", "--help"),
     ("relay room.world.json", "'relay'", "'replay'"),
     ("run", "<WORLD>", "Usage: cogmap run"),
@@ -22,6 +22,9 @@ const CASES: [(&str, &str, &str); 62] = [
     ("run room.world.json --robot typo.robot.json", "typo.robot.json, line 1", "`laser`"),
     ("run room.world.json --robot blind.robot.json", "blind.robot.json", "beams"),
     ("run room.world.json --robot walk.log", "walk.log", "JSON"),
+    ("run room.world.json --go-home --strategy teleport", "'teleport'", "retrace, oracle]"),
+    ("run room.world.json --strategy retrace", "--go-home", "Usage: cogmap run"),
+    ("run room.world.json --go-home --strategy", "--strategy", "a value is required"),
     ("run room.world.json --route tour", "no route `tour`", "across, back"),
     ("run room.world.json --route points.json", "points.json", "[[x, y], …]"),
     ("run room.world.json --route empty-route.json", "empty-route.json", "at least one point"),

@@ -244,3 +244,48 @@ fn nobody_listening_is_no_failure() {
     }
     assert!(bench.path("out/map.json").exists());
 }
+
+#[test]
+fn a_robot_that_goes_home_says_how_it_went_and_its_session_takes_it_home_again() {
+    let bench = Workbench::new();
+    for strategy in ["recommended", "retrace", "oracle"] {
+        let arguments = format!("run room.world.json --route across --go-home --strategy {strategy}");
+        let outcome = bench.cogmap(&format!("{arguments} --out {strategy}")).done();
+        let told = outcome.out.split("Went home by").nth(1).unwrap();
+        assert!(told.starts_with(&format!(" `{strategy}`")) && told.contains("stopped by itself"), "{told}");
+        assert!(told.contains("m from its start") && told.contains("m out; "), "{told}");
+        let first = lasting(&bench, strategy);
+        let again = bench.cogmap(&format!("replay {strategy}/session.json --out {strategy}-again")).done();
+        assert_same(&first, &lasting(&bench, &format!("{strategy}-again")));
+        assert!(again.out.contains(&format!("Went home by `{strategy}`")), "{}", again.out);
+        let session = bench.read(&format!("{strategy}/session.json"));
+        assert!(session.contains(&format!("\"do\":\"go_home\",\"strategy\":\"{strategy}\"}}")), "{session}");
+        let events = bench.read(&format!("{strategy}/events.jsonl"));
+        let place =
+            |kind: &str| events.find(&format!("\"kind\":\"{kind}\"")).unwrap_or_else(|| panic!("{kind}"));
+        assert!(place("go_home") < place("home"), "{events}");
+        assert!(bench.read(&format!("{strategy}/report.json")).contains("\"ending\": \"home\""));
+    }
+}
+
+#[test]
+fn other_mappers_are_shown_the_same_way_home() {
+    let bench = Workbench::new();
+    bench.cogmap("run room.world.json --go-home --out ours").done();
+    bench.cogmap("replay ours/session.json --mapper odometry --mapper perceptual --out others").done();
+    assert_eq!(bench.read("ours/truth.tum"), bench.read("others/truth.tum"));
+    let others = lasting(&bench, "others");
+    bench.cogmap("replay others/session.json --out again").done();
+    assert_same(&others, &lasting(&bench, "again"));
+}
+
+#[test]
+fn a_robot_that_cannot_go_home_has_failed_and_says_why() {
+    let bench = Workbench::new();
+    // The start is nearer to the wall than the person at the controls keeps, so the oracle gives up.
+    bench.put("tight.world.json", ROOM.replace("[1,1]", "[0.27,1]"));
+    let outcome = bench.cogmap("run tight.world.json --route across --go-home --strategy oracle");
+    assert_eq!(outcome.code, Some(1), "{}", outcome.out);
+    assert!(outcome.err.contains("gave up") && outcome.err.contains("--strategy"), "{}", outcome.err);
+    assert!(outcome.out.contains("gave up: no way leads back"), "{}", outcome.out);
+}

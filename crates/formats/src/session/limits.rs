@@ -82,8 +82,14 @@ fn these_commands(commands: &[TimedCommand], ticks: u64) -> Vec<Problem> {
             problems.push(problem(format!("{place}.tick"), message));
         }
         last = last.max(timed.tick);
+        let most = match timed.command {
+            // What makes no sense is refused when its time has come.
+            Command::Change(_) => continue,
+            Command::GoHome { .. } => PARAMETER_MAX,
+            _ => COMMAND_MAX,
+        };
         let value = serde_json::to_value(&timed.command).unwrap_or_default();
-        problems.extend(wild_numbers(&value, &place, COMMAND_MAX));
+        problems.extend(wild_numbers(&value, &place, most));
     }
     problems.truncate(TOLD_MAX);
     problems

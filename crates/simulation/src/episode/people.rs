@@ -31,7 +31,11 @@ pub(super) fn crossing(world: &World, route: &[DVec2], dice: &mut Dice) -> Optio
         }
         let path = ends.map(|spot| spot.to_array().map(|c| (c * 100.0).round() / 100.0)).to_vec();
         let (speed, radius) = (dice.within(0.5, 1.1), dice.within(0.2, 0.26));
-        people.push(Person { path, speed: (speed * 100.0).round() / 100.0, radius: (radius * 100.0).round() / 100.0 });
+        people.push(Person {
+            path,
+            speed: (speed * 100.0).round() / 100.0,
+            radius: (radius * 100.0).round() / 100.0,
+        });
     }
     (!people.is_empty()).then_some(people)
 }

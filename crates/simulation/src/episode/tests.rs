@@ -47,7 +47,8 @@ fn cartons_fall_on_the_way_and_a_narrow_course_leaves_it_free() {
     let narrow = Episode::new(&world, &route, Setting::Narrow, 2).unwrap();
     for carton in &narrow.world.boxes[world.boxes.len()..] {
         let edges = carton.edges();
-        let near = |leg: cogmap_geometry::Segment| edges.iter().any(|e| e.distance_to(leg.midpoint()) < 0.375);
+        let near =
+            |leg: cogmap_geometry::Segment| edges.iter().any(|e| e.distance_to(leg.midpoint()) < 0.375);
         assert!(!reach::legs(world.start.position.into(), &route).any(near));
     }
 }

@@ -85,10 +85,15 @@ impl SessionRecord {
     }
 
     /// Adds a command at `tick` and ends there what had been recorded; `false` for logs. A velocity
-    /// or a stop that holds already is not written down again.
-    pub(super) fn tell(&mut self, tick: u64, command: Command) -> bool {
+    /// or a stop that holds already is not written down again. At one tick the last order to the robot
+    /// counts; with `also` the changes of the world that were told at this tick count as well.
+    pub(super) fn tell(&mut self, tick: u64, command: Command, also: bool) -> bool {
         let Source::World { commands, ticks, .. } = &mut self.source else { return false };
-        commands.retain(|timed| timed.tick < tick);
+        let told = |timed: &TimedCommand| timed.tick == tick && also;
+        let change = matches!(command, Command::Change(_));
+        commands.retain(|timed| {
+            timed.tick < tick || told(timed) && (change || matches!(timed.command, Command::Change(_)))
+        });
         *ticks = tick;
         let holds = matches!(command, Command::Drive { .. } | Command::Stop)
             && commands.last().is_some_and(|last| last.command == command);

@@ -65,12 +65,12 @@ impl Session {
             return None;
         }
         let last = decisions.last().into_iter().flat_map(|decision| &decision.events);
-        let by_itself = last.filter_map(|event| match event {
+        let mut by_itself = last.filter_map(|event| match event {
             HomingEvent::Home { .. } => Some(Ending::Home),
             HomingEvent::Stuck { why } => Some(Ending::Stuck(why)),
             _ => None,
         });
-        by_itself.last().or(Some(Ending::Stopped))
+        by_itself.next_back().or(Some(Ending::Stopped))
     }
 
     fn believed_distance(&self) -> Option<f64> {

@@ -185,8 +185,9 @@ fn pairs(
     let key = |row: &&&HomeRow| (row.place.clone(), row.seed);
     let mut pairs = Vec::new();
     for (strategy, rows) in strategies {
-        for (with, others) in strategies.range::<str, _>(..*strategy) {
-            let others: BTreeMap<_, f64> = others.iter().filter_map(|row| Some((key(&row), spl(row)?))).collect();
+        for (with, others) in strategies.range(..*strategy) {
+            let others: BTreeMap<_, f64> =
+                others.iter().filter_map(|row| Some((key(&row), spl(row)?))).collect();
             let more = |row: &&HomeRow| Some(spl(row)? - others.get(&key(&row))?);
             pairs.push(SplPair {
                 place,
@@ -257,7 +258,10 @@ mod tests {
         let groups = groups(&rows);
         let group = groups.values().next().unwrap();
         let found = pairs(("generated", Setting::Furnished, "bad"), group);
-        assert_eq!((found.len(), found[0].strategy.as_str(), found[0].with.as_str()), (1, "retrace", "recommended"));
+        assert_eq!(
+            (found.len(), found[0].strategy.as_str(), found[0].with.as_str()),
+            (1, "retrace", "recommended")
+        );
         let more = found[0].more.unwrap();
         assert!((more.value + 0.5).abs() < 1e-12 && more.runs == 9);
     }

@@ -51,9 +51,7 @@ impl Plan {
         let seeds = self.seeds.first..self.seeds.first + self.seeds.count;
         let tasks = seeds.flat_map(|seed| places.iter().map(move |&place| (seed, place)));
         let robots = 0..self.robots.len();
-        tasks
-            .flat_map(|(seed, place)| robots.clone().map(move |robot| Task { place, robot, seed }))
-            .collect()
+        tasks.flat_map(|(seed, place)| robots.clone().map(move |robot| Task { place, robot, seed })).collect()
     }
 
     /// How a place is called in the rows.

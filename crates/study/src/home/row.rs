@@ -149,8 +149,20 @@ impl HomeRow {
 fn trial(values: &[&str]) -> Option<Trial> {
     let [ended, numbers @ .., why] = values else { return None };
     let numbers: Vec<Option<f64>> = numbers.iter().map(|cell| cell.parse().ok()).collect();
-    let &[distance, home_offset, out, shortest, path, collisions, decisions, failsafe_steps, dead_ends, reentries, turning, zigzag] =
-        numbers.as_slice()
+    let &[
+        distance,
+        home_offset,
+        out,
+        shortest,
+        path,
+        collisions,
+        decisions,
+        failsafe_steps,
+        dead_ends,
+        reentries,
+        turning,
+        zigzag,
+    ] = numbers.as_slice()
     else {
         return None;
     };

@@ -46,7 +46,8 @@ pub fn run(
     done: impl Fn(&[HomeRow]) + Sync,
 ) -> Result<(Vec<HomeRow>, DecisionTimes), String> {
     let times = Mutex::new(DecisionTimes::new());
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build().map_err(|error| error.to_string())?;
+    let pool =
+        rayon::ThreadPoolBuilder::new().num_threads(jobs).build().map_err(|error| error.to_string())?;
     let rows: Result<Vec<Vec<HomeRow>>, String> = pool.install(|| {
         let performed = |task: &Task| {
             let rows = perform(plan, *task, &times)?;

@@ -1,16 +1,22 @@
 use std::time::{Duration, Instant};
 
-use cogmap_geometry::{DVec2, normalize_angle};
+use cogmap_geometry::{DVec2, Segment, normalize_angle, trig};
 use cogmap_mapping::MapperSetup;
 use cogmap_navigation::{Act, Atlas, Belief, HomingEvent};
 use cogmap_simulation::{
-    Command, Driver, Ending, Episode, Robot, Session, SessionRecord, Source, Strategy, WorldChange,
+    Command, Disc, Driver, Ending, Episode, Robot, Session, SessionRecord, Source, Strategy, TICK,
+    WorldChange,
 };
 
 use super::row::{Ended, Trial};
 
 /// The way out was driven if it ends so near to the route's end, metres.
 const ARRIVED: f64 = 0.5;
+/// How far whoever drives keeps the robot's middle from people's feet, metres.
+const BERTH: f64 = 0.5;
+/// How long they wait before they look again, in ticks, and how often.
+const WAIT: u64 = 10;
+const WAITS: usize = 150;
 /// A robot that has not decided anything for so long has lost its way, ticks: half an hour.
 const TICKS_MAX: u64 = 90_000;
 /// Two dead ends this near to each other are one, metres.
@@ -26,12 +32,41 @@ pub(super) fn way_out(episode: &Episode, robot: &Robot, seed: u64) -> Option<Ses
     let source = Source::world(episode.world.clone(), robot.clone());
     let mut session = Session::drive(SessionRecord::new(source, vec![mapper], seed)).ok()?;
     while let Some(command) = session.world_from_robot().and_then(|pose| driver.next_command(pose)) {
+        wait_for_people(&mut session, &command);
         session.command(command);
         while session.advance() && !session.at_rest() {}
     }
     let end = session.world_from_robot()?.position;
     let arrived = episode.route.last()?.distance(end) < ARRIVED;
     (arrived && collisions(&session) == 0).then_some(session)
+}
+
+/// Whoever drives lets people pass: waits until nobody who walks on as now would come near the step.
+fn wait_for_people(session: &mut Session, step: &Command) {
+    let Command::Step { turn, travel } = *step else { return };
+    if session.people().is_empty() {
+        return;
+    }
+    for _ in 0..WAITS {
+        let before: Vec<DVec2> = session.people().iter().map(|person| person.center).collect();
+        let Some(pose) = session.world_from_robot() else { return };
+        session.advance();
+        let (sin, cos) = trig::sin_cos(pose.heading + turn);
+        let way = Segment::new(pose.position, pose.position + DVec2::new(cos, sin) * travel);
+        let people = session.people().iter().zip(&before);
+        let clear = |(person, before): (&Disc, &DVec2)| {
+            let velocity = (person.center - *before) / TICK;
+            let seconds = (2.0 * travel + 2.0) * 5.0;
+            let at = |k: u32| person.center + velocity * f64::from(k) / 5.0;
+            (0..=seconds as u32).all(|k| way.distance_to(at(k)) > person.radius + BERTH)
+        };
+        if people.into_iter().all(clear) {
+            return;
+        }
+        (0..WAIT).for_each(|_| {
+            session.advance();
+        });
+    }
 }
 
 /// Changes the world and sends the robot home; with how long its decisions took on this machine.
@@ -42,7 +77,12 @@ pub(super) fn way_home(
 ) -> Option<(Trial, Vec<Duration>)> {
     let mut session = from.forked();
     for change in changes {
-        session.command(Command::Change(change.clone()));
+        let change = Command::Change(change.clone());
+        if session.refusal(&change).is_some() {
+            return None;
+        }
+        session.command(change);
+        session.advance();
     }
     session.command(Command::GoHome { strategy: strategy.clone() });
     let (begin, mut times) = (session.position(), Vec::new());
@@ -74,7 +114,8 @@ fn trial(session: &Session, before: usize) -> Option<Trial> {
     let dead_ends: Vec<DVec2> = dead_ends.collect();
     let again = |k: &usize| dead_ends[..*k].iter().any(|other| other.distance(dead_ends[*k]) < SAME_DEAD_END);
     let scans = session.journal().homings.last()?.scans;
-    let headings: Vec<f64> = session.journal().truth.get(scans..)?.iter().map(|scan| scan.pose.heading).collect();
+    let headings: Vec<f64> =
+        session.journal().truth.get(scans..)?.iter().map(|scan| scan.pose.heading).collect();
     let turned: f64 = headings.windows(2).map(|pair| normalize_angle(pair[1] - pair[0]).abs()).sum();
     let why = way.decisions.last().map_or(String::new(), |decision| decision.why.clone());
     Some(Trial {
