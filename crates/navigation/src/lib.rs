@@ -14,7 +14,9 @@ mod homing;
 mod recommended;
 mod retrace;
 mod route;
+mod steering;
 mod strategy;
+mod tangent_bug;
 mod vigilance;
 
 pub use belief::{Anchored, Atlas, Belief};
@@ -23,4 +25,5 @@ pub use homing::{Homing, HomingParams};
 pub use recommended::{Footing, RecommendedParams, RescueParams};
 pub use retrace::RetraceParams;
 pub use strategy::StrategySetup;
+pub use tangent_bug::TangentBugParams;
 pub use vigilance::{Vigilance, VigilanceParams};

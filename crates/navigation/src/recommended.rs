@@ -8,16 +8,15 @@ mod ground;
 mod rescue;
 mod search;
 mod sight;
-mod steering;
 mod survey;
 mod tiles;
 
-use cogmap_geometry::{DVec2, Pose};
+use cogmap_geometry::{DVec2, Pose, trig::FRAC_PI_4};
 use cogmap_mapping::{Mapper, perception::Reading};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Anchored, Atlas, Belief, HomingEvent,
+    Anchored, Atlas, Belief, HomingEvent, steering,
     strategy::{Proposal, Situation, Wish},
 };
 pub use footing::Footing;
@@ -63,6 +62,9 @@ impl Default for RecommendedParams {
 
 /// A way has become no worse while it costs no more than this above what was expected.
 const RISE: f64 = 0.3;
+
+/// So far aside of its way the robot goes where the way is tight, radians.
+const ASIDE: f64 = FRAC_PI_4;
 
 /// Where something too tight for the robot is noted, ahead of its middle, metres.
 const TIGHT: f64 = 0.4;
@@ -185,37 +187,9 @@ impl Recommended {
             (Some(found), Some(before)) if worth(found.cost) < before => (found, true),
             (_, Some(before)) => (Way { corners: kept, cost: before }, false),
             (Some(found), None) => (found, had_one),
-            (None, None) => {
-                #[cfg(feature = "debug")]
-                {
-                    let c = Cell::at(scene.robot);
-                    for dy in (-35..=35).rev() {
-                        let row: String = (-50..=50)
-                            .map(|dx| {
-                                let cell = c.moved([dx, dy]);
-                                let spot = self.ground.floor().spot(cell);
-                                let cost = ease.cost(cell);
-                                match () {
-                                    () if dx == 0 && dy == 0 => 'R',
-                                    () if spot.is_found() => '#',
-                                    () if spot.is_occupied() => 'W',
-                                    () if cost == footing::NO_WAY && spot.is_travelled() => 'x',
-                                    () if cost == footing::NO_WAY => '-',
-                                    () if spot.is_travelled() => 't',
-                                    () if spot.is_known_free() => '.',
-                                    () => ' ',
-                                }
-                            })
-                            .collect();
-                        eprintln!("{row}");
-                    }
-                }
-                return None;
-            }
+            (None, None) => return None,
         };
         let survey = Survey::of(&ease, scene.robot, &way.corners);
-        #[cfg(feature = "debug")]
-        eprintln!("{:?} expanded {} survey {:?} before {:?} cost {} robot {:?} corners {:?}", lead, search.expanded(), survey, before, way.cost, scene.robot, way.corners);
         self.way.clone_from(&way.corners);
         self.expected = way.cost;
         (survey.barrier < self.params.closed).then_some(Choice { way, survey, before, had_one, switched })
@@ -248,7 +222,7 @@ impl Recommended {
             let why = format!("home itself cannot be reached: {distance:.2} m is as near as the robot gets");
             return Proposal::new(Wish::Arrive, mode, why);
         }
-        let wish = steering::toward(situation, &corners).unwrap_or_else(|| {
+        let wish = steering::toward(situation, &corners, ASIDE).unwrap_or_else(|| {
             self.block(scene);
             Wish::GoTo(corners.first().copied().unwrap_or_default())
         });

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     Atlas, Belief, HomingEvent, HomingParams, Mode, MovementOption, RecommendedParams, RetraceParams,
-    Vigilance, recommended::Recommended, retrace::Retrace,
+    TangentBugParams, Vigilance, recommended::Recommended, retrace::Retrace, tangent_bug::TangentBug,
 };
 
 /// Which way of finding home, with every parameter that it uses.
@@ -13,13 +13,15 @@ use crate::{
 pub enum StrategySetup {
     /// Ours: plans through remembered and assumed free space.
     Recommended(RecommendedParams),
+    /// Kamon, Rimon and Rivlin's bug, which remembers nothing but two distances: a baseline.
+    TangentBug(TangentBugParams),
     /// The way out, backward: a baseline.
     Retrace(RetraceParams),
 }
 
 impl StrategySetup {
     /// The names that [`StrategySetup::named`] knows.
-    pub const NAMES: [&'static str; 2] = ["recommended", "retrace"];
+    pub const NAMES: [&'static str; 3] = ["recommended", "retrace", "tangent-bug"];
 
     /// The strategy of that name with its default parameters.
     #[must_use]
@@ -27,6 +29,7 @@ impl StrategySetup {
         match name {
             "recommended" => Some(Self::Recommended(RecommendedParams::default())),
             "retrace" => Some(Self::Retrace(RetraceParams::default())),
+            "tangent-bug" => Some(Self::TangentBug(TangentBugParams::default())),
             _ => None,
         }
     }
@@ -37,6 +40,7 @@ impl StrategySetup {
         match self {
             Self::Recommended(_) => "recommended",
             Self::Retrace(_) => "retrace",
+            Self::TangentBug(_) => "tangent-bug",
         }
     }
 }
@@ -111,6 +115,7 @@ impl Proposal {
 #[derive(Clone, Debug)]
 pub(crate) enum Mind {
     Recommended(Box<Recommended>),
+    TangentBug(TangentBug),
     Retrace(Retrace),
 }
 
@@ -120,6 +125,7 @@ impl Mind {
             StrategySetup::Recommended(params) => {
                 Self::Recommended(Box::new(Recommended::new(params, mapper)))
             }
+            StrategySetup::TangentBug(params) => Self::TangentBug(TangentBug::new(params)),
             StrategySetup::Retrace(params) => Self::Retrace(Retrace::new(params, mapper)),
         }
     }
@@ -128,7 +134,7 @@ impl Mind {
     pub(crate) fn observe(&mut self, reading: &Reading, atlas: &Atlas, belief: &Belief) {
         match self {
             Self::Recommended(recommended) => recommended.observe(reading, atlas, belief),
-            Self::Retrace(_) => {}
+            Self::Retrace(_) | Self::TangentBug(_) => {}
         }
     }
 
@@ -136,6 +142,7 @@ impl Mind {
         match self {
             Self::Recommended(recommended) => recommended.decide(situation),
             Self::Retrace(retrace) => retrace.decide(situation),
+            Self::TangentBug(bug) => bug.decide(situation),
         }
     }
 
@@ -143,7 +150,7 @@ impl Mind {
     pub(crate) fn dropped(&self) -> usize {
         match self {
             Self::Recommended(recommended) => recommended.dropped(),
-            Self::Retrace(_) => 0,
+            Self::Retrace(_) | Self::TangentBug(_) => 0,
         }
     }
 }

@@ -20,11 +20,11 @@ pub(super) const NEAR_HOME: f64 = 1.2;
 /// … each metre that is missing costing so much.
 const SHORT_OF_HOME: f64 = 60.0;
 /// No way is looked for beyond so many cells.
-const PATIENCE: usize = 60_000;
+const PATIENCE: usize = 40_000;
 /// How far around what was seen a way may lead, metres, …
 const MARGIN: f64 = 3.0;
 /// … and where all ways within that are closed.
-const WIDE_MARGIN: f64 = 15.0;
+const WIDE_MARGIN: f64 = 10.0;
 /// A cell that costs so much, in tenths a metre, lies in a remembered wall.
 const IN_A_WALL: u16 = 900;
 
@@ -70,11 +70,6 @@ impl<'a> Search<'a> {
         Self { ease, home, nodes: Tiles::default(), bounds: [ease.robot; 2], expanded: 0 }
     }
 
-    /// Cells that were looked at.
-    pub(super) fn expanded(&self) -> usize {
-        self.expanded
-    }
-
     /// The cheapest way from where the robot is; `None` where there is none. A home that is closed in
     /// must not flood the world: the search keeps to what was seen and a margin.
     pub(super) fn way(&mut self) -> Option<Vec<Cell>> {
@@ -83,6 +78,7 @@ impl<'a> Search<'a> {
             return near;
         }
         self.nodes = Tiles::default();
+        self.expanded = 0;
         self.way_within(WIDE_MARGIN).or(near)
     }
 
@@ -118,19 +114,14 @@ impl<'a> Search<'a> {
     fn expand(&mut self, cell: Cell, cost: u32, open: &mut BinaryHeap<Open>) {
         let fine = self.is_fine(cell);
         let step = if fine || !is_coarse(cell) { 1 } else { COARSE };
-        let from = self.ease(cell);
         for (way, [dx, dy]) in (0_u8..).zip(WAYS) {
             let to = cell.moved([dx * step, dy * step]);
             if !self.is_within(to) || (!fine && !is_coarse(to)) {
                 continue;
             }
-            let ease = self.ease(to);
-            if ease == NO_WAY || !self.leads(cell, [dx, dy], step) {
-                continue;
-            }
+            let Some(ease) = self.stretch(cell, [dx, dy], step) else { continue };
             let length = if dx != 0 && dy != 0 { 141 } else { 100 };
-            let mean = (u32::from(from.min(NO_WAY - 1)) + u32::from(ease)).div_ceil(2);
-            let cost = cost.saturating_add(mean * length * step.unsigned_abs());
+            let cost = cost.saturating_add(ease * length);
             let node = self.nodes.get_mut(to);
             if node.cost == 0 || cost < node.cost {
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 or 3")]
@@ -141,14 +132,24 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Whether nothing stands between two neighbours: a way cuts no corners.
-    fn leads(&mut self, cell: Cell, [dx, dy]: [i32; 2], step: i32) -> bool {
-        (0..step).all(|k| {
+    /// What a stretch of some cells costs, in tenths a cell; `None` where something stands in its way or
+    /// beside it: a way cuts no corners.
+    fn stretch(&mut self, cell: Cell, [dx, dy]: [i32; 2], step: i32) -> Option<u32> {
+        let mut sum = 0;
+        let mut last = self.ease(cell).min(NO_WAY - 1);
+        for k in 0..step {
             let at = cell.moved([dx * k, dy * k]);
-            let corners = [at.moved([dx, 0]), at.moved([0, dy])];
-            (k == 0 || self.ease(at) != NO_WAY)
-                && corners.into_iter().all(|corner| self.ease(corner) != NO_WAY)
-        })
+            let next = self.ease(at.moved([dx, dy]));
+            let cut = dx != 0
+                && dy != 0
+                && (self.ease(at.moved([dx, 0])) == NO_WAY || self.ease(at.moved([0, dy])) == NO_WAY);
+            if next == NO_WAY || cut {
+                return None;
+            }
+            sum += (u32::from(last) + u32::from(next)).div_ceil(2);
+            last = next;
+        }
+        Some(sum)
     }
 
     fn is_fine(&self, cell: Cell) -> bool {
