@@ -23,6 +23,17 @@ pub struct Atlas {
     here: FrameId,
     here_from_frame: BTreeMap<FrameId, Pose>,
     links: usize,
+    /// Places that the robot went on to without knowing how they lie to the one before: what the wheels
+    /// said there is the best guess until something better is known.
+    guesses: Vec<Guess>,
+}
+
+/// How a place lies to another, as far as the wheels say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Guess {
+    left: FrameId,
+    opened: FrameId,
+    left_from_opened: Pose,
 }
 
 impl Atlas {
@@ -31,16 +42,45 @@ impl Atlas {
     pub fn of(mapper: &Mapper) -> Self {
         let mfis = mapper.mfis();
         let here = mapper.path().last().map_or(FrameId::default(), |last| last.frame);
-        let ways = mfis.ways_from(here, f64::INFINITY);
-        let here_from_frame = ways.into_iter().map(|(frame, way)| (frame, way.here_from_frame)).collect();
-        Self { here, here_from_frame, links: mfis.links().len() }
+        let mut atlas = Self { here, links: mfis.links().len(), ..Self::default() };
+        atlas.add(mapper, here, Pose::IDENTITY);
+        atlas
+    }
+
+    /// Adds the places that links connect with one that lies so to here.
+    fn add(&mut self, mapper: &Mapper, frame: FrameId, here_from_frame: Pose) {
+        for (place, way) in mapper.mfis().ways_from(frame, f64::INFINITY) {
+            self.here_from_frame.insert(place, here_from_frame * way.here_from_frame);
+        }
+    }
+
+    /// A mapper that is lost begins a place without a link (§3.2.4). On the way home nobody has carried the
+    /// robot off: more likely the world has changed, and the wheels say how the place lies.
+    fn guess(&mut self, mapper: &Mapper, before: &Self) {
+        let mfis = mapper.mfis();
+        self.guesses.clone_from(&before.guesses);
+        if before.here != self.here && self.here_from(before.here).is_none() {
+            let [left, opened] = [before.here, self.here].map(|frame| mfis.map_from_frame(frame));
+            let left_from_opened = left.from_here(opened);
+            self.guesses.push(Guess { left: before.here, opened: self.here, left_from_opened });
+        }
+        for guess in self.guesses.clone().iter().rev() {
+            let [left, opened] = [guess.left, guess.opened].map(|frame| self.here_from(frame));
+            match (left, opened) {
+                (None, Some(opened)) => {
+                    self.add(mapper, guess.left, opened * guess.left_from_opened.inverse())
+                }
+                (Some(left), None) => self.add(mapper, guess.opened, left * guess.left_from_opened),
+                _ => {}
+            }
+        }
     }
 
     /// A map of one place.
     #[cfg(test)]
     pub(crate) fn single() -> Self {
         let here = FrameId::default();
-        Self { here, here_from_frame: BTreeMap::from([(here, Pose::IDENTITY)]), links: 0 }
+        Self { here, here_from_frame: BTreeMap::from([(here, Pose::IDENTITY)]), ..Self::default() }
     }
 
     /// Looks again where the robot has come to another place or learnt how two places lie to each
@@ -50,7 +90,8 @@ impl Atlas {
         let stale =
             here != self.here || self.links != mapper.mfis().links().len() || self.here_from_frame.is_empty();
         if stale {
-            *self = Self::of(mapper);
+            let before = std::mem::replace(self, Self::of(mapper));
+            self.guess(mapper, &before);
         }
         stale
     }

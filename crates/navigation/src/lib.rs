@@ -21,8 +21,10 @@ mod recent;
 mod recommended;
 mod retrace;
 mod route;
+mod steering;
 mod strategy;
 mod surroundings;
+mod tangent_bug;
 mod trial;
 mod vigilance;
 
@@ -37,4 +39,5 @@ pub use recent::ForgettingParams;
 pub use recommended::{Footing, RecommendedParams, RescueParams};
 pub use retrace::RetraceParams;
 pub use strategy::StrategySetup;
+pub use tangent_bug::TangentBugParams;
 pub use vigilance::{Vigilance, VigilanceParams};

@@ -8,16 +8,15 @@ mod ground;
 mod rescue;
 mod search;
 mod sight;
-mod steering;
 mod survey;
 mod tiles;
 
-use cogmap_geometry::{DVec2, Pose};
+use cogmap_geometry::{DVec2, Pose, trig::FRAC_PI_4};
 use cogmap_mapping::{Mapper, perception::Reading};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Anchored, Atlas, Belief, HomingEvent,
+    Anchored, Atlas, Belief, HomingEvent, steering,
     strategy::{Proposal, Situation, Wish},
 };
 pub use footing::Footing;
@@ -39,6 +38,9 @@ pub struct RecommendedParams {
     pub hysteresis: f64,
     /// … and by this share.
     pub hysteresis_share: f64,
+    /// While the way that it has in mind becomes no worse the robot looks for a better one at each so many
+    /// decisions.
+    pub look_for_better: u32,
     /// A wall that was met so often closes a way for good.
     pub closed: u8,
     /// When the fail-safe takes over, and when the robot gives up.
@@ -51,11 +53,18 @@ impl Default for RecommendedParams {
             footing: Footing::default(),
             hysteresis: 1.0,
             hysteresis_share: 0.05,
+            look_for_better: 3,
             closed: 2,
             rescue: RescueParams::default(),
         }
     }
 }
+
+/// A way has become no worse while it costs no more than this above what was expected.
+const RISE: f64 = 0.3;
+
+/// So far aside of its way the robot goes where the way is tight, radians.
+const ASIDE: f64 = FRAC_PI_4;
 
 /// Where something too tight for the robot is noted, ahead of its middle, metres.
 const TIGHT: f64 = 0.4;
@@ -69,6 +78,9 @@ pub(crate) struct Recommended {
     moment: u16,
     /// The corners of the way that the robot has in mind, on the floor.
     way: Vec<DVec2>,
+    /// What that way cost at the last decision, and for how many decisions it has cost no more.
+    expected: f64,
+    since_search: u32,
     rescue: Rescue,
     dropped: usize,
 }
@@ -97,7 +109,16 @@ impl Recommended {
         ground.follow(mapper, &atlas);
         let dropped = far_surfaces(mapper, &atlas, params.footing.near);
         let rescue = Rescue::new(&params.rescue, way_out(mapper, &atlas));
-        Self { params: params.clone(), ground, moment: 0, way: Vec::new(), rescue, dropped }
+        Self {
+            params: params.clone(),
+            ground,
+            moment: 0,
+            way: Vec::new(),
+            expected: 0.0,
+            since_search: 0,
+            rescue,
+            dropped,
+        }
     }
 
     /// Surfaces that are too far to be trusted at the command (§3.3.5).
@@ -150,7 +171,10 @@ impl Recommended {
         let had_one = !self.way.is_empty();
         let kept = search.pull_tight(scene.robot, &self.way);
         let before = if had_one { search.cost(scene.robot, &kept) } else { None };
-        let found = search.way().and_then(|cells| {
+        let as_good = before.is_some_and(|cost| cost <= self.expected + RISE);
+        self.since_search = if as_good { self.since_search + 1 } else { 0 };
+        let content = as_good && !self.since_search.is_multiple_of(self.params.look_for_better);
+        let found = if content { None } else { search.way() }.and_then(|cells| {
             let mut points: Vec<DVec2> = cells.into_iter().skip(1).map(Cell::middle).collect();
             if points.is_empty() {
                 points.push(scene.robot);
@@ -167,6 +191,7 @@ impl Recommended {
         };
         let survey = Survey::of(&ease, scene.robot, &way.corners);
         self.way.clone_from(&way.corners);
+        self.expected = way.cost;
         (survey.barrier < self.params.closed).then_some(Choice { way, survey, before, had_one, switched })
     }
 
@@ -197,7 +222,7 @@ impl Recommended {
             let why = format!("home itself cannot be reached: {distance:.2} m is as near as the robot gets");
             return Proposal::new(Wish::Arrive, mode, why);
         }
-        let wish = steering::toward(situation, &corners).unwrap_or_else(|| {
+        let wish = steering::toward(situation, &corners, ASIDE).unwrap_or_else(|| {
             self.block(scene);
             Wish::GoTo(corners.first().copied().unwrap_or_default())
         });

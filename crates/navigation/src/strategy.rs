@@ -4,7 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     Atlas, Belief, FaithfulParams, HomingEvent, HomingParams, Mode, MovementOption, RecommendedParams,
-    RetraceParams, Vigilance, faithful::Faithful, recommended::Recommended, retrace::Retrace,
+    RetraceParams, TangentBugParams, Vigilance, faithful::Faithful, recommended::Recommended,
+    retrace::Retrace, tangent_bug::TangentBug,
 };
 
 /// Which way of finding home, with every parameter that it uses.
@@ -16,13 +17,15 @@ pub enum StrategySetup {
     Faithful(FaithfulParams),
     /// Ours: plans through remembered and assumed free space.
     Recommended(RecommendedParams),
+    /// Kamon, Rimon and Rivlin's bug, which remembers nothing but two distances: a baseline.
+    TangentBug(TangentBugParams),
     /// The way out, backward: a baseline.
     Retrace(RetraceParams),
 }
 
 impl StrategySetup {
     /// The names that [`StrategySetup::named`] knows.
-    pub const NAMES: [&'static str; 3] = ["faithful", "recommended", "retrace"];
+    pub const NAMES: [&'static str; 4] = ["faithful", "recommended", "retrace", "tangent-bug"];
 
     /// The strategy of that name with its default parameters.
     #[must_use]
@@ -31,6 +34,7 @@ impl StrategySetup {
             "faithful" => Some(Self::Faithful(FaithfulParams::default())),
             "recommended" => Some(Self::Recommended(RecommendedParams::default())),
             "retrace" => Some(Self::Retrace(RetraceParams::default())),
+            "tangent-bug" => Some(Self::TangentBug(TangentBugParams::default())),
             _ => None,
         }
     }
@@ -42,6 +46,7 @@ impl StrategySetup {
             Self::Faithful(_) => "faithful",
             Self::Recommended(_) => "recommended",
             Self::Retrace(_) => "retrace",
+            Self::TangentBug(_) => "tangent-bug",
         }
     }
 }
@@ -126,6 +131,7 @@ impl Proposal {
 pub(crate) enum Mind {
     Faithful(Box<Faithful>),
     Recommended(Box<Recommended>),
+    TangentBug(TangentBug),
     Retrace(Retrace),
 }
 
@@ -136,6 +142,7 @@ impl Mind {
             StrategySetup::Recommended(params) => {
                 Self::Recommended(Box::new(Recommended::new(params, mapper)))
             }
+            StrategySetup::TangentBug(params) => Self::TangentBug(TangentBug::new(params)),
             StrategySetup::Retrace(params) => Self::Retrace(Retrace::new(params, mapper)),
         }
     }
@@ -145,7 +152,7 @@ impl Mind {
         match self {
             Self::Faithful(faithful) => faithful.observe(reading, mapper, atlas, belief),
             Self::Recommended(recommended) => recommended.observe(reading, atlas, belief),
-            Self::Retrace(_) => {}
+            Self::Retrace(_) | Self::TangentBug(_) => {}
         }
     }
 
@@ -154,6 +161,7 @@ impl Mind {
             Self::Faithful(faithful) => faithful.decide(situation),
             Self::Recommended(recommended) => recommended.decide(situation),
             Self::Retrace(retrace) => retrace.decide(situation),
+            Self::TangentBug(bug) => bug.decide(situation),
         }
     }
 
@@ -162,7 +170,7 @@ impl Mind {
         match self {
             Self::Faithful(faithful) => faithful.dropped(),
             Self::Recommended(recommended) => recommended.dropped(),
-            Self::Retrace(_) => 0,
+            Self::Retrace(_) | Self::TangentBug(_) => 0,
         }
     }
 }

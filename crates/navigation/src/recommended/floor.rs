@@ -30,7 +30,12 @@ pub(super) struct Spot {
     met: u16,
     /// The last scan that told anything of it.
     scan: u16,
+    /// Where in the cell something stands, from its middle, in shares of [`FINE`].
+    at: [i8; 2],
 }
+
+/// What stands in a cell is known to lie at its middle and so many steps of a millimetre.
+const FINE: f64 = 0.001;
 
 const WALL: u8 = 1;
 const TRAVELLED: u8 = 2;
@@ -62,6 +67,17 @@ impl Spot {
         self.crowd
     }
 
+    /// Where in the cell something stands, from its middle, metres.
+    pub(super) fn at(self) -> DVec2 {
+        DVec2::new(f64::from(self.at[0]), f64::from(self.at[1])) * FINE
+    }
+
+    #[allow(clippy::cast_possible_truncation, reason = "a cell is 100 mm wide")]
+    fn stands_at(&mut self, cell: Cell, point: DVec2) {
+        let off = ((point - cell.middle()) / FINE).clamp(DVec2::splat(-50.0), DVec2::splat(50.0));
+        self.at = [off.x as i8, off.y as i8];
+    }
+
     /// When it was last found occupied, in decisions.
     pub(super) fn met(self) -> u16 {
         self.met
@@ -87,8 +103,8 @@ impl Floor {
         self.spots.get(cell)
     }
 
-    /// The corners of what was travelled, metres.
-    pub(super) fn travelled(&self) -> Option<[DVec2; 2]> {
+    /// The corners of what was travelled and seen, metres.
+    pub(super) fn bounds(&self) -> Option<[DVec2; 2]> {
         self.bounds
     }
 
@@ -96,9 +112,11 @@ impl Floor {
     pub(super) fn see(&mut self, floor_from_laser: Pose, points: &[DVec2], moment: u16) {
         self.scan = self.scan.wrapping_add(1).max(1);
         for &point in points {
-            self.hit(Cell::at(floor_from_laser * point), moment);
+            let point = floor_from_laser * point;
+            self.hit(point, moment);
         }
         let laser = floor_from_laser.position;
+        self.widen(&[laser]);
         for &point in points.iter().step_by(EVERY) {
             let beam = floor_from_laser * point - laser;
             let length = beam.length();
@@ -112,20 +130,23 @@ impl Floor {
     }
 
     /// Something that stands in a cell whatever was seen there so far.
-    pub(super) fn block(&mut self, cell: Cell, moment: u16) {
+    pub(super) fn block(&mut self, point: DVec2, moment: u16) {
+        let cell = Cell::at(point);
         self.change(cell, |spot| {
+            spot.stands_at(cell, point);
             spot.evidence = MOST;
             spot.met = moment;
         });
     }
 
-    fn hit(&mut self, cell: Cell, moment: u16) {
-        let scan = self.scan;
+    fn hit(&mut self, point: DVec2, moment: u16) {
+        let (cell, scan) = (Cell::at(point), self.scan);
         self.change(cell, |spot| {
             if spot.scan == scan {
                 return;
             }
             spot.scan = scan;
+            spot.stands_at(cell, point);
             spot.evidence = (spot.evidence.max(-1) + 1).min(MOST);
             if spot.is_occupied() {
                 if spot.visits == 0 || moment.wrapping_sub(spot.met) > AGAIN {
@@ -154,7 +175,11 @@ impl Floor {
 
     /// A wall of the map.
     pub(super) fn remember_wall(&mut self, wall: Segment) {
-        self.trace(wall, 0, |spot| {
+        self.widen(&[wall.a, wall.b]);
+        self.trace(wall, 0, |cell, spot| {
+            if !spot.is_occupied() {
+                spot.stands_at(cell, wall.closest_point(cell.middle()));
+            }
             if spot.evidence > LOOKED_THROUGH && !spot.is_travelled() {
                 spot.marks |= WALL;
             }
@@ -163,16 +188,21 @@ impl Floor {
 
     /// A stretch that the robot has gone: where its middle was nothing stands.
     pub(super) fn travel(&mut self, stretch: Segment) {
-        self.trace(stretch, 1, |spot| {
+        self.trace(stretch, 1, |_, spot| {
             spot.marks = (spot.marks | TRAVELLED) & !WALL;
         });
-        let [low, high] = self.bounds.unwrap_or([stretch.a; 2]);
-        let ends = [stretch.a, stretch.b];
-        self.bounds = Some(ends.iter().fold([low, high], |[low, high], &end| [low.min(end), high.max(end)]));
+        self.widen(&[stretch.a, stretch.b]);
+    }
+
+    fn widen(&mut self, points: &[DVec2]) {
+        for &point in points {
+            let [low, high] = self.bounds.unwrap_or([point; 2]);
+            self.bounds = Some([low.min(point), high.max(point)]);
+        }
     }
 
     /// Changes the cells that a line crosses, and those around.
-    fn trace(&mut self, line: Segment, around: i32, change: impl Fn(&mut Spot)) {
+    fn trace(&mut self, line: Segment, around: i32, change: impl Fn(Cell, &mut Spot)) {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "lengths are short")]
         let pieces = ((line.length() / (0.5 * CELL)).ceil() as u32).clamp(1, 10_000);
         let mut last = None;
@@ -183,7 +213,8 @@ impl Floor {
             }
             for dy in -around..=around {
                 for dx in -around..=around {
-                    self.change(cell.moved([dx, dy]), &change);
+                    let cell = cell.moved([dx, dy]);
+                    self.change(cell, |spot| change(cell, spot));
                 }
             }
         }

@@ -36,7 +36,7 @@ impl Default for Footing {
     fn default() -> Self {
         Self {
             unknown: 2.0,
-            hard: 0.275,
+            hard: 0.26,
             hard_travelled: 0.21,
             soft: 0.40,
             soft_cost: 1.6,
@@ -115,11 +115,11 @@ impl Ease<'_> {
 
     /// Metres to the nearest thing that is trusted, and what the others cost.
     fn around(&self, cell: Cell) -> (f64, f64) {
-        let (mut nearest, mut barrier) = (i32::MAX, 0.0_f64);
+        let (mut nearest, mut barrier) = (f64::INFINITY, 0.0_f64);
+        let middle = cell.middle();
         for dy in -CROWD..=CROWD {
             for dx in -CROWD..=CROWD {
-                let distance = dx * dx + dy * dy;
-                if distance > CROWD * CROWD {
+                if dx * dx + dy * dy > CROWD * CROWD {
                     continue;
                 }
                 let at = cell.moved([dx, dy]);
@@ -127,20 +127,16 @@ impl Ease<'_> {
                 if !spot.is_occupied() {
                     continue;
                 }
+                let distance = (at.middle() + spot.at()).distance_squared(middle);
                 if self.is_trusted(at, spot) {
                     nearest = nearest.min(distance);
-                } else if self.trust == Trust::Memory && self.is_in_the_way(distance) {
+                } else if self.trust == Trust::Memory && distance < self.footing.hard * self.footing.hard {
                     let times = 1.0 + f64::from(spot.visits());
                     barrier = barrier.max(self.footing.barrier * times * times);
                 }
             }
         }
-        (if nearest == i32::MAX { f64::INFINITY } else { f64::from(nearest).sqrt() * CELL }, barrier)
-    }
-
-    fn is_in_the_way(&self, distance_squared: i32) -> bool {
-        let hard = self.footing.hard / CELL;
-        f64::from(distance_squared) < hard * hard
+        (nearest.sqrt(), barrier)
     }
 
     fn is_trusted(&self, at: Cell, spot: Spot) -> bool {

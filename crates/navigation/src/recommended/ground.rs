@@ -6,7 +6,7 @@ use std::{
 use cogmap_geometry::{DVec2, Pose, Segment};
 use cogmap_mapping::{Mapper, memory::FrameId, perception::Reading};
 
-use super::{floor::Floor, sight::Sight, tiles::Cell};
+use super::{floor::Floor, sight::Sight};
 use crate::{Atlas, Belief};
 
 /// A scan is kept each so many metres or radians …
@@ -92,7 +92,7 @@ impl Ground {
 
     /// Notes that something stands somewhere on the floor.
     pub(super) fn block(&mut self, point: DVec2, moment: u16) {
-        self.floor.block(Cell::at(point), moment);
+        self.floor.block(point, moment);
     }
 
     fn is_stale(&self, atlas: &Atlas) -> bool {

@@ -9,8 +9,10 @@ use super::{
 
 /// The eight ways on, counter-clockwise.
 const WAYS: [[i32; 2]; 8] = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]];
-/// Within so many cells of the robot and of home every cell counts, farther off every other: 4 m.
+/// Within so many cells of the robot and of home every cell counts, farther off only each third: 4 m.
 const FINE: i32 = 40;
+/// Farther off a step leads over so many cells; a door is wider than that.
+const COARSE: i32 = 3;
 /// Home is reached within so many cells.
 const REACHED: f64 = 2.0;
 /// Where it cannot be, the way may end so near, metres, …
@@ -18,9 +20,13 @@ pub(super) const NEAR_HOME: f64 = 1.2;
 /// … each metre that is missing costing so much.
 const SHORT_OF_HOME: f64 = 60.0;
 /// No way is looked for beyond so many cells.
-const PATIENCE: usize = 150_000;
-/// How far around what was travelled a way may lead, metres.
-const MARGIN: f64 = 12.0;
+const PATIENCE: usize = 40_000;
+/// How far around what was seen a way may lead, metres, …
+const MARGIN: f64 = 3.0;
+/// … and where all ways within that are closed.
+const WIDE_MARGIN: f64 = 10.0;
+/// A cell that costs so much, in tenths a metre, lies in a remembered wall.
+const IN_A_WALL: u16 = 900;
 
 /// A way over the floor, and what it costs; a metre of free floor costs 1.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,26 +57,37 @@ struct Node {
     step: u8,
 }
 
+fn is_coarse(cell: Cell) -> bool {
+    cell.x.rem_euclid(COARSE) == 0 && cell.y.rem_euclid(COARSE) == 0
+}
+
 /// A node on the heap, or the end: what it costs and may still cost, and how it was reached.
 type Open = Reverse<(u32, u32, Cell, bool)>;
 
 impl<'a> Search<'a> {
     /// A search on what one decision makes of the floor, for a way to a point, metres.
     pub(super) fn new(ease: Ease<'a>, home: DVec2) -> Self {
-        let robot = ease.robot.middle();
-        let [low, high] = ease.floor.travelled().unwrap_or([robot; 2]);
-        let low = low.min(robot).min(home) - MARGIN;
-        let high = high.max(robot).max(home) + MARGIN;
-        Self { ease, home, nodes: Tiles::default(), bounds: [Cell::at(low), Cell::at(high)], expanded: 0 }
+        Self { ease, home, nodes: Tiles::default(), bounds: [ease.robot; 2], expanded: 0 }
     }
 
-    /// Cells that were looked at.
-    pub(super) fn expanded(&self) -> usize {
-        self.expanded
-    }
-
-    /// The cheapest way from where the robot is; `None` where there is none.
+    /// The cheapest way from where the robot is; `None` where there is none. A home that is closed in
+    /// must not flood the world: the search keeps to what was seen and a margin.
     pub(super) fn way(&mut self) -> Option<Vec<Cell>> {
+        let near = self.way_within(MARGIN);
+        if near.as_ref().is_some_and(|way| way.iter().all(|&cell| self.ease(cell) < IN_A_WALL)) {
+            return near;
+        }
+        self.nodes = Tiles::default();
+        self.expanded = 0;
+        self.way_within(WIDE_MARGIN).or(near)
+    }
+
+    fn way_within(&mut self, margin: f64) -> Option<Vec<Cell>> {
+        let robot = self.ease.robot.middle();
+        let [low, high] = self.ease.floor.bounds().unwrap_or([robot; 2]);
+        let low = low.min(robot).min(self.home) - margin;
+        let high = high.max(robot).max(self.home) + margin;
+        self.bounds = [Cell::at(low), Cell::at(high)];
         let start = self.ease.robot;
         let mut open: BinaryHeap<Open> = BinaryHeap::new();
         self.nodes.get_mut(start).cost = 1;
@@ -96,29 +113,43 @@ impl<'a> Search<'a> {
 
     fn expand(&mut self, cell: Cell, cost: u32, open: &mut BinaryHeap<Open>) {
         let fine = self.is_fine(cell);
-        let even = cell.x & 1 == 0 && cell.y & 1 == 0;
-        let step = if fine || !even { 1 } else { 2 };
-        let from = self.ease(cell);
+        let step = if fine || !is_coarse(cell) { 1 } else { COARSE };
         for (way, [dx, dy]) in (0_u8..).zip(WAYS) {
             let to = cell.moved([dx * step, dy * step]);
-            if !self.is_within(to) || (!fine && (to.x & 1 != 0 || to.y & 1 != 0)) {
+            if !self.is_within(to) || (!fine && !is_coarse(to)) {
                 continue;
             }
-            let ease = self.ease(to);
-            if ease == NO_WAY || (step == 2 && self.ease(cell.moved([dx, dy])) == NO_WAY) {
-                continue;
-            }
+            let Some(ease) = self.stretch(cell, [dx, dy], step) else { continue };
             let length = if dx != 0 && dy != 0 { 141 } else { 100 };
-            let mean = (u32::from(from.min(NO_WAY - 1)) + u32::from(ease)).div_ceil(2);
-            let cost = cost.saturating_add(mean * length * step.unsigned_abs());
+            let cost = cost.saturating_add(ease * length);
             let node = self.nodes.get_mut(to);
             if node.cost == 0 || cost < node.cost {
-                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 or 2")]
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 or 3")]
                 let step = step as u8;
                 *node = Node { cost, way, step, ..*node };
                 open.push(Reverse((cost.saturating_add(self.ahead(to)), cost, to, false)));
             }
         }
+    }
+
+    /// What a stretch of some cells costs, in tenths a cell; `None` where something stands in its way or
+    /// beside it: a way cuts no corners.
+    fn stretch(&mut self, cell: Cell, [dx, dy]: [i32; 2], step: i32) -> Option<u32> {
+        let mut sum = 0;
+        let mut last = self.ease(cell).min(NO_WAY - 1);
+        for k in 0..step {
+            let at = cell.moved([dx * k, dy * k]);
+            let next = self.ease(at.moved([dx, dy]));
+            let cut = dx != 0
+                && dy != 0
+                && (self.ease(at.moved([dx, 0])) == NO_WAY || self.ease(at.moved([0, dy])) == NO_WAY);
+            if next == NO_WAY || cut {
+                return None;
+            }
+            sum += (u32::from(last) + u32::from(next)).div_ceil(2);
+            last = next;
+        }
+        Some(sum)
     }
 
     fn is_fine(&self, cell: Cell) -> bool {

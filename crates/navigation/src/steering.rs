@@ -2,18 +2,16 @@ use cogmap_geometry::{DVec2, normalize_angle, trig};
 
 use crate::strategy::{Situation, Wish};
 
-/// Directions beside the wanted one that are tried, radians apart …
+/// Directions beside the wanted one that are tried lie so far apart, radians.
 const APART: f64 = 3.0 * trig::PI / 180.0;
-/// … and how many on each side: up to 45°.
-const SIDES: i32 = 15;
 /// A stretch that is long enough to go for, metres.
 const ENOUGH: f64 = 0.4;
 /// The shortest stretch that is worth a look aside, metres.
 const LEAST: f64 = 0.1;
 
 /// Goes toward the first corner of a way; where the scans say that this is too tight, a little to the
-/// side of it.
-pub(super) fn toward(situation: &Situation, corners: &[DVec2]) -> Option<Wish> {
+/// side of it, at most by so many radians. `None` where that is not possible either.
+pub(crate) fn toward(situation: &Situation, corners: &[DVec2], aside_max: f64) -> Option<Wish> {
     let here = situation.belief.here_from_robot;
     let corner =
         *corners.iter().find(|corner| corner.distance(here.position) >= situation.params.step_min)?;
@@ -27,7 +25,8 @@ pub(super) fn toward(situation: &Situation, corners: &[DVec2]) -> Option<Wish> {
         return Some(Wish::GoTo(corner));
     }
     let mut best: Option<(f64, f64)> = None;
-    for k in 1..=SIDES {
+    #[allow(clippy::cast_possible_truncation, reason = "a circle has 120 of them")]
+    for k in 1..=(aside_max / APART) as i32 {
         for side in [-1.0, 1.0] {
             let aside = side * f64::from(k) * APART;
             let free = situation.vigilance.free_way(turn + aside, wanted);

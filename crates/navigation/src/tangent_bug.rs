@@ -1,0 +1,198 @@
+use cogmap_geometry::{DVec2, normalize_angle, trig};
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    Anchored, Mode,
+    strategy::{Proposal, Situation, Wish},
+};
+
+/// What [`StrategySetup::TangentBug`](crate::StrategySetup::TangentBug) goes by.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct TangentBugParams {
+    /// How far it looks, metres.
+    pub range: f64,
+    /// Directions in which it looks.
+    pub directions: u32,
+    /// Free ways that differ by more than this end at different things, metres.
+    pub jump: f64,
+    /// The shortest free way along a boundary that it takes, metres.
+    pub follow: f64,
+    /// Home counts as out of reach when it has gone round a boundary and is back within this, metres.
+    pub round: f64,
+    /// Decisions without a step before it gives up.
+    pub patience: u32,
+}
+
+impl Default for TangentBugParams {
+    fn default() -> Self {
+        Self { range: 3.0, directions: 90, jump: 0.5, follow: 0.3, round: 0.5, patience: 10 }
+    }
+}
+
+/// The bug of Kamon, Rimon and Rivlin (1998) with a range-limited sensor: to the target round the end of
+/// what it sees in the way; along the boundary once that leads away from it, until a place is seen that lies
+/// nearer to the target than any of the boundary did.
+#[derive(Clone, Debug)]
+pub(crate) struct TangentBug {
+    params: TangentBugParams,
+    /// The least that the last way round an end would have cost, while it moves to the target, metres.
+    heuristic: f64,
+    boundary: Option<Boundary>,
+    idle: u32,
+}
+
+/// A boundary that is followed.
+#[derive(Clone, Copy, Debug)]
+struct Boundary {
+    /// 1.0 with the obstacle on the right, -1.0 with it on the left.
+    side: f64,
+    /// The shortest distance between what was seen of the boundary and the target, metres.
+    followed: f64,
+    /// Where it began, and whether the robot has been away from there.
+    began: Anchored<DVec2>,
+    left: bool,
+}
+
+/// A direction, how far it is free for the robot, and where that ends.
+#[derive(Clone, Copy, Debug)]
+struct Ray {
+    bearing: f64,
+    free: f64,
+    end: DVec2,
+}
+
+impl TangentBug {
+    pub(crate) fn new(params: &TangentBugParams) -> Self {
+        Self { params: params.clone(), heuristic: f64::INFINITY, boundary: None, idle: 0 }
+    }
+
+    pub(crate) fn decide(&mut self, situation: &Situation) -> Proposal {
+        let Some(home) = situation.belief.home else {
+            let why = "the robot does not know where home is".to_owned();
+            return Proposal::new(Wish::GiveUp, Mode::Direction, why);
+        };
+        let target = home.position;
+        let rays = self.look(situation);
+        let here = situation.belief.here_from_robot.position;
+        let direct = situation.free_toward(target);
+        if direct >= here.distance(target).min(self.params.range) {
+            self.boundary = None;
+            self.heuristic = here.distance(target);
+            return self.go(situation, target, "nothing that it sees stands between the robot and home");
+        }
+        if let Some(boundary) = self.boundary {
+            return self.follow(situation, target, &rays, boundary);
+        }
+        let Some((end, cost)) = self.best_end(here, target, &rays) else {
+            return self.begin(situation, target, &rays);
+        };
+        if cost > self.heuristic + 0.1 {
+            return self.begin(situation, target, &rays);
+        }
+        self.heuristic = self.heuristic.min(cost);
+        self.go(situation, end, "something is in the way: round the end of it that makes the shortest way")
+    }
+
+    fn look(&self, situation: &Situation) -> Vec<Ray> {
+        let here = situation.belief.here_from_robot;
+        let apart = trig::TAU / f64::from(self.params.directions.max(1));
+        let ray = |k: u32| {
+            let turn = normalize_angle(apart * f64::from(k));
+            let free = situation.vigilance.free_way(turn, self.params.range);
+            let bearing = here.heading + turn;
+            let (sin, cos) = trig::sin_cos(bearing);
+            Ray { bearing, free, end: here.position + DVec2::new(cos, sin) * free }
+        };
+        (0..self.params.directions).map(ray).collect()
+    }
+
+    /// The end of something in the way that makes the shortest way to the target, and that way's length.
+    fn best_end(&self, here: DVec2, target: DVec2, rays: &[Ray]) -> Option<(DVec2, f64)> {
+        let mut best: Option<(DVec2, f64)> = None;
+        for (ray, next) in rays.iter().zip(rays.iter().cycle().skip(1)) {
+            if (ray.free - next.free).abs() < self.params.jump {
+                continue;
+            }
+            let open = if ray.free > next.free { ray } else { next };
+            let cost = open.free + open.end.distance(target);
+            let nearer = open.end.distance(target) < here.distance(target);
+            if nearer && best.is_none_or(|(_, least)| cost < least) {
+                best = Some((open.end, cost));
+            }
+        }
+        best
+    }
+
+    /// Begins to follow a boundary, on the side that leads less away from the target.
+    fn begin(&mut self, situation: &Situation, target: DVec2, rays: &[Ray]) -> Proposal {
+        let here = situation.belief.here_from_robot.position;
+        let ahead = target - here;
+        let toward = trig::atan2(ahead.y, ahead.x);
+        let free = |side: f64| {
+            let open = |ray: &&Ray| {
+                ray.free >= self.params.follow && normalize_angle(ray.bearing - toward) * side > 0.0
+            };
+            let turns = rays.iter().filter(open).map(|ray| normalize_angle(ray.bearing - toward).abs());
+            turns.fold(f64::INFINITY, f64::min)
+        };
+        let side = if free(1.0) <= free(-1.0) { 1.0 } else { -1.0 };
+        let began = situation.atlas.keep(here);
+        let boundary = Boundary { side, followed: f64::INFINITY, began, left: false };
+        self.follow(situation, target, rays, boundary)
+    }
+
+    fn follow(
+        &mut self,
+        situation: &Situation,
+        target: DVec2,
+        rays: &[Ray],
+        mut boundary: Boundary,
+    ) -> Proposal {
+        let here = situation.belief.here_from_robot.position;
+        let reach = rays.iter().map(|ray| ray.end.distance(target)).fold(here.distance(target), f64::min);
+        if reach < boundary.followed - 0.1 && boundary.followed.is_finite() {
+            (self.boundary, self.heuristic) = (None, f64::INFINITY);
+            if let Some((end, cost)) = self.best_end(here, target, rays) {
+                self.heuristic = cost;
+                return self.go(
+                    situation,
+                    end,
+                    "a place has come into view that is nearer to home than the boundary",
+                );
+            }
+        }
+        let hit = rays.iter().filter(|ray| ray.free < self.params.range);
+        let nearest = hit.clone().map(|ray| ray.end.distance(target)).fold(f64::INFINITY, f64::min);
+        boundary.followed = boundary.followed.min(nearest).min(here.distance(target));
+        let away = situation.atlas.point(boundary.began).map_or(f64::INFINITY, |began| began.distance(here));
+        boundary.left |= away > 2.0 * self.params.round;
+        let round = boundary.left && away < self.params.round;
+        self.boundary = Some(boundary);
+        let wall = hit.min_by(|a, b| a.free.total_cmp(&b.free)).map(|ray| ray.bearing);
+        match wall.and_then(|wall| self.along(rays, wall, boundary.side)) {
+            Some(end) if !round => self.go(situation, end, "the robot goes along what is in its way"),
+            _ => {
+                let why = "the robot has gone round what is in its way without finding a gap".to_owned();
+                Proposal::new(Wish::GiveUp, Mode::Direction, why)
+            }
+        }
+    }
+
+    /// The first free direction from the nearest thing round to a side.
+    fn along(&self, rays: &[Ray], wall: f64, side: f64) -> Option<DVec2> {
+        let turn = |ray: &Ray| {
+            let turn = normalize_angle(ray.bearing - wall) * side;
+            if turn < 0.0 { turn + trig::TAU } else { turn }
+        };
+        let open = rays.iter().filter(|ray| ray.free >= self.params.follow);
+        open.min_by(|a, b| turn(a).total_cmp(&turn(b))).map(|ray| ray.end)
+    }
+
+    fn go(&mut self, situation: &Situation, point: DVec2, why: &str) -> Proposal {
+        let free = situation.free_toward(point) >= situation.params.step_min;
+        self.idle = if free { 0 } else { self.idle + 1 };
+        let wish = if self.idle > self.params.patience { Wish::GiveUp } else { Wish::GoTo(point) };
+        Proposal { way: vec![point], ..Proposal::new(wish, Mode::Direction, why.to_owned()) }
+    }
+}
