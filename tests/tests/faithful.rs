@@ -86,9 +86,9 @@ fn the_remembered_route_rescues_it_from_the_boxes_and_is_left_behind_them() {
     for trip in trips("box-course", "consensus") {
         assert!(trip.home_within(1.0), "{} m", trip.distance);
         assert_eq!(trip.collisions, 0);
-        let on = |event: &HomingEvent| matches!(event, HomingEvent::FailsafeOn { .. });
         let off = |event: &HomingEvent| matches!(event, HomingEvent::FailsafeOff { .. });
-        assert!(trip.moments.iter().any(|moment| moment.told(on) && among_the_boxes(moment)));
+        let blocked = |moment: &Moment| moment.decision.options.iter().all(|option| option.barred);
+        assert!(trip.route_steps().filter(|moment| among_the_boxes(moment)).any(blocked));
         let left = trip.moments.iter().rposition(|moment| moment.told(off)).unwrap();
         assert!(trip.moments[left].here().x > 12.7 - 3.0, "{}", trip.moments[left].here());
         assert!(trip.moments[left..].iter().all(|moment| moment.decision.mode == Mode::Direction));

@@ -10,7 +10,8 @@ pub struct FailsafeParams {
     /// Whether there is a fail-safe at all.
     pub on: bool,
     /// It takes over too where so many decisions in a row have brought the robot nowhere: ours, for it does
-    /// not only get stuck without options but also between two of them. 0 for never.
+    /// not only get stuck without options but also between two of them. 0 for never. On the route half as
+    /// many (then at least 5) drop what blocks anew, and twice as many end it.
     pub patience: usize,
     /// Nowhere is within this distance, metres.
     pub nowhere: f64,

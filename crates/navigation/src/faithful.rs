@@ -74,6 +74,8 @@ struct Outlook {
     home: DVec2,
     options: Vec<MovementOption>,
     chosen: Option<usize>,
+    /// Decisions in a row that have led nowhere.
+    worn: usize,
 }
 
 impl Faithful {
@@ -112,7 +114,8 @@ impl Faithful {
         let closed =
             self.trial.and_then(|trial| trial.closed(home, &trusted, &self.params.options, situation));
         let options = self.options(&trusted, home, situation);
-        let outlook = Outlook { robot, home, chosen: straightest(&options), options };
+        let worn = self.patience.wear(robot, situation.atlas, self.params.failsafe.nowhere);
+        let outlook = Outlook { robot, home, chosen: straightest(&options), options, worn };
         let mut events =
             Vec::from_iter(closed.and_then(|closed| self.learn(closed, &outlook, &trusted, situation)));
         events.extend(self.switch(&outlook, situation));
@@ -179,7 +182,6 @@ impl Faithful {
     /// Hands over to the remembered route and back (§3.3.4).
     fn switch(&mut self, outlook: &Outlook, situation: &Situation) -> Option<HomingEvent> {
         let params = &self.params.failsafe;
-        let worn = self.patience.wear(outlook.robot, situation.atlas, params.nowhere);
         let chosen = outlook.chosen.map(|chosen| outlook.options[chosen]);
         if let Some(following) = &self.following {
             let come = following.come(outlook.robot, situation.atlas) >= params.leave;
@@ -192,7 +194,7 @@ impl Faithful {
                 HomingEvent::FailsafeOff { why }
             });
         }
-        let stalled = params.patience > 0 && worn > params.patience;
+        let stalled = params.patience > 0 && outlook.worn > params.patience;
         let near = outlook.home.distance(outlook.robot) <= self.params.rough_home;
         if !params.on || (near && chosen.is_none()) || (chosen.is_some() && !stalled) {
             return None;
@@ -231,10 +233,10 @@ impl Faithful {
     /// scan (§3.3.4).
     fn follow(&mut self, outlook: &Outlook, situation: &Situation) -> Proposal {
         let params = &self.params.failsafe;
-        let patience = self.patience.wear(outlook.robot, situation.atlas, params.nowhere);
-        let worn_out = patience > 4 * params.patience.max(10);
+        let most = params.patience.max(10);
+        let worn_out = outlook.worn > 2 * most;
         let Some(following) = &mut self.following else { return lost_route() };
-        if patience > params.patience.max(10) {
+        if outlook.worn.is_multiple_of(most / 2 + 1) {
             following.since = self.recent.scan();
         }
         let waypoints = following.waypoints(outlook.robot, situation.atlas, params.passed);

@@ -64,8 +64,8 @@ pub(crate) struct Situation<'a> {
 impl Situation<'_> {
     /// How far the robot may travel straight toward a point, metres, as far as the last scans go.
     pub(crate) fn free_toward(&self, point: DVec2) -> f64 {
-        let distance = point.distance(self.belief.here_from_robot.position);
-        self.vigilance.free_way(self.turn_to(point), distance)
+        let ahead = self.belief.here_from_robot.inverse() * point;
+        self.vigilance.free_way(self.turn_to(point), ahead.length())
     }
 
     /// By how much the robot must turn to face a point, radians.
