@@ -59,7 +59,7 @@ fn a_study_of_ways_home_goes_on_where_it_was_cut_off() {
     let (whole, summary) = (bench.read("home/runs.csv"), bench.read("home/summary.json"));
     let lines: Vec<&str> = whole.lines().collect();
     assert_eq!(lines.len(), 1 + 2);
-    bench.put("home/runs.csv", &format!("{}\n{}\n{}", lines[0], lines[2], &lines[1][..20]));
+    bench.put("home/runs.csv", format!("{}\n{}\n{}", lines[0], lines[2], &lines[1][..20]));
     bench.cogmap(&format!("{HOME} --jobs 2 --out home")).done();
     assert_eq!((bench.read("home/runs.csv"), bench.read("home/summary.json")), (whole, summary));
     for other in ["--robot good", "--seed 2"] {
