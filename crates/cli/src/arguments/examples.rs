@@ -4,6 +4,7 @@ Example: cogmap run worlds/small-office.world.json --out first-run
 Example: cogmap run worlds/small-office.world.json --robot good --seed 7 --route random
 Example: cogmap run worlds/small-office.world.json --mapper perceptual --mapper odometry --out both
 Example: cogmap run worlds/office.world.json --go-home --strategy retrace --out home
+Example: cogmap run generated:7 --go-home --out floor-7
 Example: cogmap run plan.png --resolution 0.05 --route random --out plan
 
 In a floor plan everything that is not free is solid, and the robot starts where there is most room.

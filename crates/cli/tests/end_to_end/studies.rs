@@ -49,3 +49,23 @@ fn files_of_another_run_are_not_overwritten() {
     assert!(refused.code == Some(2) && refused.err.contains("--force"), "{}", refused.err);
     bench.cogmap("study small --worlds room.world.json --seeds 1 --out first --force").done();
 }
+
+#[test]
+fn a_study_of_ways_home_goes_on_where_it_was_cut_off() {
+    const HOME: &str = "study home --seed 1 --seeds 2 --robot perfect --setting empty --strategy retrace";
+    let bench = Workbench::new();
+    let said = bench.cogmap(&format!("{HOME} --jobs 1 --out home")).done().out;
+    assert!(said.contains("empty, perfect robot, generated") && said.contains("≤ 1 m"), "{said}");
+    let (whole, summary) = (bench.read("home/runs.csv"), bench.read("home/summary.json"));
+    let lines: Vec<&str> = whole.lines().collect();
+    assert_eq!(lines.len(), 1 + 2);
+    bench.put("home/runs.csv", format!("{}\n{}\n{}", lines[0], lines[2], &lines[1][..20]));
+    bench.cogmap(&format!("{HOME} --jobs 2 --out home")).done();
+    assert_eq!((bench.read("home/runs.csv"), bench.read("home/summary.json")), (whole, summary));
+    for other in ["--robot good", "--seed 2"] {
+        let refused = bench.cogmap(&format!("{} --out home", HOME.replace("--seed 1", other)));
+        assert!(refused.code == Some(2) && refused.err.contains("--force"), "{}", refused.err);
+    }
+    let refused = bench.cogmap("study small --strategy retrace");
+    assert!(refused.code == Some(2) && refused.err.contains("only the study `home`"), "{}", refused.err);
+}

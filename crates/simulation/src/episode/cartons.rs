@@ -1,4 +1,4 @@
-use cogmap_geometry::{DVec2, trig};
+use cogmap_geometry::{DVec2, Segment, trig};
 
 use super::{
     apply,
@@ -114,7 +114,8 @@ fn beside(world: &World, route: &[DVec2], stretch: &[DVec2], gap: f64, dice: &mu
         let spot = DVec2::from(center);
         let clear = legs(start, route).all(|leg| leg.distance_to(spot) >= gap / 2.0 + reach);
         let apart = cartons.iter().all(|other| DVec2::from(other.center).distance(spot) > 2.0 * reach);
-        if clear && apart && obstacles.nearest(spot, reach * 0.8).is_none() {
+        let in_sight = obstacles.leaves_free(Segment::new(point, spot), 0.05);
+        if clear && apart && in_sight && obstacles.nearest(spot, reach * 0.8).is_none() {
             let heading_deg = dice.within(0.0, 90.0).round();
             cartons.push(BoxObstacle { center, size: [side, side], heading_deg });
         }

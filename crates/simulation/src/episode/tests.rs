@@ -1,5 +1,5 @@
 use super::*;
-use crate::Building;
+use crate::{Building, Command, Robot, Session, SessionRecord, Source};
 
 fn floor(seed: u64) -> (World, Vec<DVec2>) {
     let world = Building::generate(seed);
@@ -51,4 +51,32 @@ fn cartons_fall_on_the_way_and_a_narrow_course_leaves_it_free() {
             |leg: cogmap_geometry::Segment| edges.iter().any(|e| e.distance_to(leg.midpoint()) < 0.375);
         assert!(!reach::legs(world.start.position.into(), &route).any(near));
     }
+}
+
+#[test]
+fn people_come_when_they_are_called_and_not_onto_the_robot() {
+    let (world, route) = floor(3);
+    let episode = Episode::new(&world, &route, Setting::People, 3).unwrap();
+    let source = Source::world(episode.world.clone(), Robot::named("perfect").unwrap());
+    let mut session = Session::drive(SessionRecord::new(source, Vec::new(), 3)).unwrap();
+    for change in &episode.changes {
+        assert_eq!(session.refusal(&Command::Change(change.clone())), None);
+        session.command(Command::Change(change.clone()));
+        session.advance();
+    }
+    assert_eq!(session.people().len(), episode.changes.len());
+    let before = session.people().to_vec();
+    let mut other = session.forked();
+    (0..50).for_each(|_| {
+        session.advance();
+        other.advance();
+    });
+    assert!(session.people() != before, "they walk");
+    assert_eq!(session.people(), other.people(), "the same whether or not the run was forked");
+    let WorldChange::AddPerson(person) = &episode.changes[0] else { panic!("{:?}", episode.changes) };
+    let path = vec![world.start.position];
+    let onto = WorldChange::AddPerson(crate::Person { path, ..person.clone() });
+    assert!(session.refusal(&Command::Change(onto)).unwrap().contains("robot"));
+    let nowhere = WorldChange::AddPerson(crate::Person { path: Vec::new(), ..person.clone() });
+    assert!(session.refusal(&Command::Change(nowhere)).is_some());
 }

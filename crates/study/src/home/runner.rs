@@ -98,3 +98,32 @@ fn perform(plan: &Plan, task: Task, times: &Mutex<DecisionTimes>) -> Result<Vec<
     }
     Ok(rows)
 }
+
+#[cfg(test)]
+mod tests {
+    use cogmap_simulation::{Robot, Strategy};
+
+    use super::*;
+    use crate::Seeds;
+
+    #[test]
+    fn every_strategy_goes_home_on_its_own_and_the_number_of_cores_does_not_matter() {
+        let plan = |strategies: &[&str]| Plan {
+            worlds: Vec::new(),
+            robots: vec![Robot::named("perfect").unwrap()],
+            settings: vec![Setting::Empty],
+            strategies: strategies.iter().filter_map(|name| Strategy::named(name)).collect(),
+            seeds: Seeds { first: 1, count: 2 },
+        };
+        let rows = |plan: &Plan, jobs| run(plan, &plan.tasks(), jobs, |_| {}).unwrap().0;
+        let both = rows(&plan(&["retrace", "oracle"]), 1);
+        assert_eq!(both.len(), 4);
+        assert_eq!(both, rows(&plan(&["retrace", "oracle"]), 2));
+        let alone = rows(&plan(&["oracle"]), 1);
+        assert_eq!(alone, both.iter().filter(|row| row.strategy == "oracle").cloned().collect::<Vec<_>>());
+        assert!(
+            both.iter().all(|row| row.trial.as_ref().is_some_and(|trial| trial.succeeds(0.5))),
+            "{both:?}"
+        );
+    }
+}
