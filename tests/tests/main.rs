@@ -12,6 +12,9 @@ mod architecture;
 // Whatever is wrong with a file or an argument, the message names the place and the way out.
 mod bad_input;
 
+// Going home as the thesis does it: its experiments, its flaws.
+mod faithful;
+
 // The figures are made anew and compared byte by byte with those in `tests/goldens/figures/`.
 mod figures;
 

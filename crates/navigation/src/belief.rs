@@ -36,6 +36,13 @@ impl Atlas {
         Self { here, here_from_frame, links: mfis.links().len() }
     }
 
+    /// A map of one place.
+    #[cfg(test)]
+    pub(crate) fn single() -> Self {
+        let here = FrameId::default();
+        Self { here, here_from_frame: BTreeMap::from([(here, Pose::IDENTITY)]), links: 0 }
+    }
+
     /// Looks again where the robot has come to another place or learnt how two places lie to each
     /// other; `true` where it did.
     pub fn refresh(&mut self, mapper: &Mapper) -> bool {

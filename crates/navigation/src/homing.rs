@@ -52,11 +52,12 @@ impl Homing {
     /// One that begins now: what the mapper remembers is the way out (§3.3.5).
     #[must_use]
     pub fn begin(setup: &StrategySetup, params: &HomingParams, mapper: &Mapper) -> Self {
+        let atlas = Atlas::of(mapper);
         Self {
             params: params.clone(),
-            atlas: Atlas::of(mapper),
             vigilance: Vigilance::new(&params.vigilance),
-            mind: Mind::new(setup, mapper),
+            mind: Mind::new(setup, mapper, &atlas),
+            atlas,
             name: setup.name(),
             started: false,
             events: Vec::new(),
@@ -69,7 +70,7 @@ impl Homing {
         self.vigilance.observe(reading);
         self.atlas.refresh(mapper);
         if let Some(belief) = Belief::of(mapper, &self.atlas, reading.odom_from_robot) {
-            self.mind.observe(reading, &self.atlas, &belief);
+            self.mind.observe(reading, mapper, &self.atlas, &belief);
         }
         self.vigilance.is_clear()
     }

@@ -3,14 +3,17 @@ use cogmap_mapping::{Mapper, perception::Reading};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Atlas, Belief, HomingEvent, HomingParams, Mode, MovementOption, RecommendedParams, RetraceParams,
-    Vigilance, recommended::Recommended, retrace::Retrace,
+    Atlas, Belief, FaithfulParams, HomingEvent, HomingParams, Mode, MovementOption, RecommendedParams,
+    RetraceParams, Vigilance, faithful::Faithful, recommended::Recommended, retrace::Retrace,
 };
 
 /// Which way of finding home, with every parameter that it uses.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "strategy", rename_all = "kebab-case")]
+#[allow(clippy::large_enum_variant, reason = "there is one a way home")]
 pub enum StrategySetup {
+    /// The thesis to the letter (§3.3).
+    Faithful(FaithfulParams),
     /// Ours: plans through remembered and assumed free space.
     Recommended(RecommendedParams),
     /// The way out, backward: a baseline.
@@ -19,12 +22,13 @@ pub enum StrategySetup {
 
 impl StrategySetup {
     /// The names that [`StrategySetup::named`] knows.
-    pub const NAMES: [&'static str; 2] = ["recommended", "retrace"];
+    pub const NAMES: [&'static str; 3] = ["faithful", "recommended", "retrace"];
 
     /// The strategy of that name with its default parameters.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         match name {
+            "faithful" => Some(Self::Faithful(FaithfulParams::default())),
             "recommended" => Some(Self::Recommended(RecommendedParams::default())),
             "retrace" => Some(Self::Retrace(RetraceParams::default())),
             _ => None,
@@ -35,6 +39,7 @@ impl StrategySetup {
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
+            Self::Faithful(_) => "faithful",
             Self::Recommended(_) => "recommended",
             Self::Retrace(_) => "retrace",
         }
@@ -54,10 +59,19 @@ pub(crate) struct Situation<'a> {
 impl Situation<'_> {
     /// How far the robot may travel straight toward a point, metres, as far as the last scans go.
     pub(crate) fn free_toward(&self, point: DVec2) -> f64 {
-        let robot_from_here = self.belief.here_from_robot.inverse();
-        let ahead = robot_from_here * point;
-        let turn = cogmap_geometry::trig::atan2(ahead.y, ahead.x);
-        self.vigilance.free_way(turn, ahead.length())
+        let distance = point.distance(self.belief.here_from_robot.position);
+        self.vigilance.free_way(self.turn_to(point), distance)
+    }
+
+    /// By how much the robot must turn to face a point, radians.
+    pub(crate) fn turn_to(&self, point: DVec2) -> f64 {
+        let ahead = self.belief.here_from_robot.inverse() * point;
+        cogmap_geometry::trig::atan2(ahead.y, ahead.x)
+    }
+
+    /// A point of the place where the robot is, in the map.
+    pub(crate) fn in_map(&self, point: DVec2) -> DVec2 {
+        self.mapper.mfis().map_from_frame(self.belief.here) * point
     }
 }
 
@@ -110,13 +124,15 @@ impl Proposal {
 /// A strategy at work.
 #[derive(Clone, Debug)]
 pub(crate) enum Mind {
+    Faithful(Box<Faithful>),
     Recommended(Box<Recommended>),
     Retrace(Retrace),
 }
 
 impl Mind {
-    pub(crate) fn new(setup: &StrategySetup, mapper: &Mapper) -> Self {
+    pub(crate) fn new(setup: &StrategySetup, mapper: &Mapper, atlas: &Atlas) -> Self {
         match setup {
+            StrategySetup::Faithful(params) => Self::Faithful(Box::new(Faithful::new(params, mapper, atlas))),
             StrategySetup::Recommended(params) => {
                 Self::Recommended(Box::new(Recommended::new(params, mapper)))
             }
@@ -125,8 +141,9 @@ impl Mind {
     }
 
     /// Takes a scan in, after the mapper did.
-    pub(crate) fn observe(&mut self, reading: &Reading, atlas: &Atlas, belief: &Belief) {
+    pub(crate) fn observe(&mut self, reading: &Reading, mapper: &Mapper, atlas: &Atlas, belief: &Belief) {
         match self {
+            Self::Faithful(faithful) => faithful.observe(reading, mapper, atlas, belief),
             Self::Recommended(recommended) => recommended.observe(reading, atlas, belief),
             Self::Retrace(_) => {}
         }
@@ -134,6 +151,7 @@ impl Mind {
 
     pub(crate) fn decide(&mut self, situation: &Situation) -> Proposal {
         match self {
+            Self::Faithful(faithful) => faithful.decide(situation),
             Self::Recommended(recommended) => recommended.decide(situation),
             Self::Retrace(retrace) => retrace.decide(situation),
         }
@@ -142,6 +160,7 @@ impl Mind {
     /// How many stored surfaces it has stopped to trust at the command (§3.3.5).
     pub(crate) fn dropped(&self) -> usize {
         match self {
+            Self::Faithful(faithful) => faithful.dropped(),
             Self::Recommended(recommended) => recommended.dropped(),
             Self::Retrace(_) => 0,
         }

@@ -10,7 +10,9 @@ use cogmap_simulation::{Driver, Robot, Session, SessionRecord, Source};
 const STEPS: usize = 40;
 
 /// Every designed world: its name and its file.
-pub(crate) const WORLDS: [(&str, &str); 9] = [
+pub(crate) const WORLDS: [(&str, &str); 14] = [
+    ("around-a-corner", include_str!("../../../worlds/around-a-corner.world.json")),
+    ("box-course", include_str!("../../../worlds/box-course.world.json")),
     ("environment-a", include_str!("../../../worlds/environment-a.world.json")),
     ("environment-b", include_str!("../../../worlds/environment-b.world.json")),
     ("long-corridor", include_str!("../../../worlds/long-corridor.world.json")),
@@ -18,8 +20,11 @@ pub(crate) const WORLDS: [(&str, &str); 9] = [
     ("narrow-passage", include_str!("../../../worlds/narrow-passage.world.json")),
     ("no-passage", include_str!("../../../worlds/no-passage.world.json")),
     ("office", include_str!("../../../worlds/office.world.json")),
+    ("shortcut", include_str!("../../../worlds/shortcut.world.json")),
     ("small-office", include_str!("../../../worlds/small-office.world.json")),
     ("tour", include_str!("../../../worlds/tour.world.json")),
+    ("two-shortcuts", include_str!("../../../worlds/two-shortcuts.world.json")),
+    ("u-trap", include_str!("../../../worlds/u-trap.world.json")),
 ];
 
 /// A line a mapper: the world, the mapper, the SHA-256 of its map.

@@ -2,7 +2,7 @@
 
 use super::*;
 
-const WORLDS: [(&str, &str); 9] = [
+const WORLDS: [(&str, &str); 14] = [
     ("small-office", include_str!("../../../../../worlds/small-office.world.json")),
     ("office", include_str!("../../../../../worlds/office.world.json")),
     ("long-corridor", include_str!("../../../../../worlds/long-corridor.world.json")),
@@ -12,11 +12,16 @@ const WORLDS: [(&str, &str); 9] = [
     ("tour", include_str!("../../../../../worlds/tour.world.json")),
     ("narrow-passage", include_str!("../../../../../worlds/narrow-passage.world.json")),
     ("no-passage", include_str!("../../../../../worlds/no-passage.world.json")),
+    ("around-a-corner", include_str!("../../../../../worlds/around-a-corner.world.json")),
+    ("shortcut", include_str!("../../../../../worlds/shortcut.world.json")),
+    ("box-course", include_str!("../../../../../worlds/box-course.world.json")),
+    ("u-trap", include_str!("../../../../../worlds/u-trap.world.json")),
+    ("two-shortcuts", include_str!("../../../../../worlds/two-shortcuts.world.json")),
 ];
 
 /// What the routes promise: their steps and their metres. Where the thesis drives one like it
 /// (§3.1.4, §3.2.3), these are its figures.
-const ROUTES: [(&str, &str, usize, f64); 11] = [
+const ROUTES: [(&str, &str, usize, f64); 16] = [
     ("small-office", "tour", 8, 6.0),
     ("office", "tour", 34, 15.0),
     ("office", "loop", 38, 17.5),
@@ -28,6 +33,11 @@ const ROUTES: [(&str, &str, usize, f64); 11] = [
     ("tour", "tour", 80, 57.0),
     ("narrow-passage", "across", 14, 8.4),
     ("no-passage", "across", 14, 8.4),
+    ("around-a-corner", "tour", 10, 9.3),
+    ("shortcut", "tour", 23, 29.4),
+    ("box-course", "tour", 43, 49.7),
+    ("u-trap", "tour", 15, 24.3),
+    ("two-shortcuts", "tour", 30, 40.2),
 ];
 /// A step that needs a correction may add one or two.
 const STEPS_MORE: usize = 2;
