@@ -92,8 +92,8 @@ export const strings = {
       ...(asrs === undefined ? [] : [count(asrs, 'local space', 'local spaces')]),
     ],
     off: (metres: number, degrees: number) => `off by ${metres.toFixed(2)} m, ${Math.round(degrees)}°`,
-    home: (metres: number) => `home ${metres.toFixed(2)} m away`,
-    believedHome: (metres: number) => `believes home ${metres.toFixed(2)} m away`,
+    home: (metres: number, believed: number | undefined) =>
+      `home ${metres.toFixed(2)} m away${believed === undefined ? '' : `, it believes ${believed.toFixed(2)} m`}`,
     offHint: 'How far the robot is from where it believes it is',
   },
 
@@ -140,13 +140,12 @@ export const strings = {
     goHint: 'Let the robot find the way back to where it began, alone',
     strategy: (name: string) => `How it finds the way: ${name}`,
     about: (name: string) => STRATEGIES[name] ?? `As ${name} does it`,
-    looking: 'Told to go home: it comes to rest and looks around first.',
+    looking: 'Told to go home, it comes to rest and looks first.',
     leads: {
       direction: 'By its sense of direction:',
       route: 'Along the remembered route:',
       planning: 'By a plan:',
     },
-    why: (reason: string) => `${reason.charAt(0).toUpperCase()}${reason.slice(1)}.`,
     ended: ({ ended, distance, believed, why }: HomingStatus) => {
       const off = `${distance.toFixed(2)} m from where it began`;
       switch (ended) {

@@ -123,10 +123,10 @@ fn draw_options(scene: &mut Scene, decision: &Decision) {
         scene.changing.push(item(HomingMark::Seen, Shape::Polyline(vec![robot, option.end])));
     }
     if !open.is_empty() {
-        scene.explain(Sample::Line(HomingMark::Seen.into()), "other ways on, as far as seen");
+        scene.explain(Sample::Line(HomingMark::Seen.into()), "other ways on");
     }
     if !barred.is_empty() {
-        scene.explain(Sample::Line(HomingMark::Barred.into()), "tried before: leads nowhere");
+        scene.explain(Sample::Line(HomingMark::Barred.into()), "leads nowhere");
     }
 }
 
@@ -139,8 +139,8 @@ fn draw_way(scene: &mut Scene, decision: &Decision) {
             scene.changing.push(item(HomingMark::InMind, Shape::Polyline(behind)));
         }
         scene.changing.push(item(HomingMark::Chosen, Shape::Arrow(vec![robot, next])));
-        scene.explain(Sample::Arrow(HomingMark::Chosen.into()), "where it goes now");
-        scene.explain(Sample::Line(HomingMark::InMind.into()), "how it means to go on");
+        scene.explain(Sample::Arrow(HomingMark::Chosen.into()), "goes there now");
+        scene.explain(Sample::Line(HomingMark::InMind.into()), "and on from there");
     }
     if !decision.waypoints.is_empty() {
         let signs = decision.waypoints.iter().map(|&at| item(HomingMark::Waypoint, Shape::Signs(vec![at])));

@@ -119,7 +119,7 @@ fn draw_surfaces(scene: &mut Scene, session: &Session, mapper: usize, options: M
     let surfaces = surfaces(mind, options.colouring, &is_trusted);
     let forgotten = Role::Homing(HomingMark::Forgotten);
     if surfaces.first().is_some_and(|item| item.role == forgotten) {
-        scene.explain(Sample::Line(forgotten), "no longer trusted");
+        scene.explain(Sample::Line(forgotten), "not trusted now");
     }
     scene.still.extend(surfaces);
 }
@@ -132,7 +132,7 @@ fn draw_homing(scene: &mut Scene, session: &Session, mapper: usize, options: Mem
     }
     if let (true, Some(home)) = (options.home || (told && options.homing), homing_scene::believed_home(mind))
     {
-        homing_scene::draw_home(scene, home, "home, where it believes it is");
+        homing_scene::draw_home(scene, home, "home, as it believes");
     }
 }
 
