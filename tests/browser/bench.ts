@@ -19,6 +19,11 @@ export class BenchPage {
     return this.page.getByRole('region', { name: 'The world' });
   }
 
+  /** What stands in place of Go Home while the robot is on its way. */
+  get going() {
+    return this.page.getByRole('button', { name: 'Going home…' });
+  }
+
   /** How many surfaces the memory holds, as the page tells it. */
   async surfaces(): Promise<number> {
     const text = await this.memory.first().innerText({ timeout: 20_000 });

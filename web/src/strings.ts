@@ -1,4 +1,4 @@
-import type { Happening } from './wasm/cogmap_wasm';
+import type { Happening, HomingStatus } from './wasm/cogmap_wasm';
 
 /** What each mapper is, in a line. */
 const MAPPERS: Record<string, string> = {
@@ -6,6 +6,15 @@ const MAPPERS: Record<string, string> = {
   consensus: 'Ours: all recognised surfaces together say where the robot is',
   transform: 'The traditional way: views put together by a corrected movement',
   odometry: 'Views put together by what the wheels say, uncorrected',
+};
+
+/** What each way of going home is, and whose idea. */
+const STRATEGIES: Record<string, string> = {
+  recommended: 'Ours: plans a way through what it remembers and what it hopes to be free',
+  faithful: 'The thesis to the letter: through the opening that leads straightest home, zigzags and traps included',
+  retrace: 'For comparison: back the way it came, waypoint by waypoint; the thesis rejects it',
+  'tangent-bug': 'For comparison, from the literature: straight ahead, and round whatever is in the way',
+  oracle: 'For comparison: the shortest way, by somebody who sees the building as it is',
 };
 
 /** Every word on the page. Nothing else under `src` holds text for people. */
@@ -69,6 +78,8 @@ export const strings = {
     exitsHint: 'The narrow places between local spaces, found after the robot went through',
     network: 'network',
     networkHint: 'Local spaces by number, and the ways through exits that join them',
+    homing: 'plans',
+    homingHint: 'What the robot has in mind on its way home: where it could go, where it goes, and what it no longer goes by',
     truth: 'truth',
     truthHint: 'Lay the world over the memories',
   },
@@ -81,6 +92,8 @@ export const strings = {
       ...(asrs === undefined ? [] : [count(asrs, 'local space', 'local spaces')]),
     ],
     off: (metres: number, degrees: number) => `off by ${metres.toFixed(2)} m, ${Math.round(degrees)}°`,
+    home: (metres: number, believed: number | undefined) =>
+      `home ${metres.toFixed(2)} m away${believed === undefined ? '' : `, it believes ${believed.toFixed(2)} m`}`,
     offHint: 'How far the robot is from where it believes it is',
   },
 
@@ -119,6 +132,34 @@ export const strings = {
     }
   },
   by: (mapper: string, said: string) => `${mapper}: ${said}`,
+
+  homing: {
+    title: 'Way home',
+    go: 'Go Home',
+    going: 'Going home…',
+    goHint: 'Let the robot find the way back to where it began, alone',
+    strategy: (name: string) => `How it finds the way: ${name}`,
+    about: (name: string) => STRATEGIES[name] ?? `As ${name} does it`,
+    looking: 'Told to go home, it comes to rest and looks first.',
+    leads: {
+      direction: 'By its sense of direction:',
+      route: 'Along the remembered route:',
+      planning: 'By a plan:',
+    },
+    ended: ({ ended, distance, believed, why }: HomingStatus) => {
+      const off = `${distance.toFixed(2)} m from where it began`;
+      switch (ended) {
+        case 'home':
+          return `It stopped ${off}${believed === undefined ? '' : `; it believed ${believed.toFixed(2)} m`}.`;
+        case 'stuck':
+          return `It gave up ${off}: ${why ?? 'it had seen nothing'}.`;
+        case 'stopped':
+          return `You took over ${off}.`;
+        case undefined:
+          return '';
+      }
+    },
+  },
 
   log: {
     mapping: (name: string, done: number, all: number) =>
@@ -172,12 +213,13 @@ export const strings = {
       { keys: ['↑ ↓ ← →', 'W A S D'], does: 'drive and turn' },
       { keys: ['Space'], does: 'play or pause' },
       { keys: ['.'], does: 'go on to the next view' },
+      { keys: ['H'], does: 'go home' },
       { keys: ['X'], does: 'stop the robot' },
       { keys: ['R'], does: 'start over' },
       { keys: ['[', ']'], does: 'slower, faster' },
       { keys: ['+', '−', '0'], does: 'zoom in, zoom out, show everything' },
       { keys: ['C'], does: 'colour by view, local space or age' },
-      { keys: ['E', 'N', 'O'], does: 'show exits, the network, the truth' },
+      { keys: ['E', 'N', 'P', 'O'], does: 'show exits, the network, plans, the truth' },
       { keys: ['T'], does: 'light or dark' },
       { keys: ['Esc'], does: 'close what is open, or cancel a log' },
       { keys: ['?'], does: 'this list' },

@@ -1,5 +1,5 @@
 use cogmap_geometry::{DVec2, trig};
-use cogmap_mapping::{Mapper, perception::Reading};
+use cogmap_mapping::{Mapper, memory::SurfaceId, perception::Reading};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -96,6 +96,11 @@ impl Faithful {
 
     pub(crate) fn observe(&mut self, reading: &Reading, mapper: &Mapper, atlas: &Atlas, belief: &Belief) {
         self.recent.observe(reading, mapper, atlas, belief);
+    }
+
+    /// Whether it still trusts a stored surface.
+    pub(crate) fn trusts(&self, id: SurfaceId) -> bool {
+        self.recent.trusts(id)
     }
 
     /// How many stored surfaces the command made it forget.

@@ -1,5 +1,5 @@
 use cogmap_geometry::{DVec2, Pose, normalize_angle, trig};
-use cogmap_mapping::{Mapper, perception::Reading};
+use cogmap_mapping::{Mapper, memory::SurfaceId, perception::Reading};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -99,6 +99,13 @@ impl Homing {
     #[must_use]
     pub fn atlas(&self) -> &Atlas {
         &self.atlas
+    }
+
+    /// Whether the robot goes by a stored surface at the moment (§3.3.3); what it does not trust stays in
+    /// the map.
+    #[must_use]
+    pub fn trusts(&self, id: SurfaceId) -> bool {
+        self.mind.trusts(id)
     }
 
     /// The strategy's name.

@@ -120,6 +120,11 @@ impl Recent {
         self.scan
     }
 
+    /// Whether a surface is trusted.
+    pub(crate) fn trusts(&self, id: SurfaceId) -> bool {
+        self.seen.contains_key(&id)
+    }
+
     /// How many surfaces are trusted.
     pub(crate) fn len(&self) -> usize {
         self.seen.len()

@@ -1,5 +1,5 @@
 use cogmap_geometry::DVec2;
-use cogmap_mapping::{Mapper, perception::Reading};
+use cogmap_mapping::{Mapper, memory::SurfaceId, perception::Reading};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -162,6 +162,14 @@ impl Mind {
             Self::Recommended(recommended) => recommended.decide(situation),
             Self::Retrace(retrace) => retrace.decide(situation),
             Self::TangentBug(bug) => bug.decide(situation),
+        }
+    }
+
+    /// Whether it goes by a stored surface; only the thesis's way forgets single surfaces (§3.3.3).
+    pub(crate) fn trusts(&self, id: SurfaceId) -> bool {
+        match self {
+            Self::Faithful(faithful) => faithful.trusts(id),
+            Self::Recommended(_) | Self::Retrace(_) => true,
         }
     }
 

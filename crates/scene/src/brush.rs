@@ -34,7 +34,7 @@ impl<'a> Brush<'a> {
         let style = self.style(item.role);
         match &item.shape {
             Shape::Segments(segments) => self.segments(segments, style),
-            Shape::Polyline(points) => self.path(&self.project(points), style, false),
+            Shape::Polyline(points) => self.polyline(&self.project(points), style),
             Shape::Arrow(points) => self.arrow(&self.project(points), style),
             Shape::Polygon(points) => self.path(&self.project(points), style, true),
             Shape::Disc(center, radius) => {
@@ -57,7 +57,28 @@ impl<'a> Brush<'a> {
         }
     }
 
-    fn arrow(&mut self, points: &[DVec2], style: Style) {
+    /// A line through pixels, in dashes where its style says so.
+    pub(crate) fn polyline(&mut self, points: &[DVec2], style: Style) {
+        match style.stroke {
+            Some(stroke) if style.dashed => self.dashes(points, stroke),
+            _ => self.path(points, style, false),
+        }
+    }
+
+    fn dashes(&mut self, points: &[DVec2], stroke: Stroke) {
+        let size = DVec2::new(self.sheet.width, self.sheet.height);
+        for pair in points.windows(2) {
+            let Some([from, to]) = clip([pair[0], pair[1]], size, stroke.width) else { continue };
+            let (length, ahead) = (from.distance(to), (to - from).normalize_or_zero());
+            let begins = (0..).map(|k| f64::from(k) * (DASH + DASH_GAP)).take_while(|&begin| begin < length);
+            for begin in begins {
+                let ends = [begin, (begin + DASH).min(length)];
+                self.line(ends.map(|end| from + ahead * end), stroke);
+            }
+        }
+    }
+
+    pub(crate) fn arrow(&mut self, points: &[DVec2], style: Style) {
         self.path(points, style, false);
         let [.., from, to] = points else { return };
         let ahead = (*to - *from).normalize_or_zero();
@@ -85,6 +106,7 @@ impl<'a> Brush<'a> {
             Sign::Diamond(size) => self.path(&corners(&DIAMOND, size), style, true),
             Sign::Triangle(size) => self.path(&corners(&TRIANGLE, size), style, true),
             Sign::Square(size) => self.path(&corners(&SQUARE, size), style, true),
+            Sign::House(size) => self.path(&corners(&HOUSE, size), style, true),
         }
     }
 
@@ -129,7 +151,11 @@ impl<'a> Brush<'a> {
 
     /// Signs that would lie on the one before are left out.
     fn signs(&mut self, places: &[DVec2], style: Style) {
-        let (Sign::Dot(size) | Sign::Diamond(size) | Sign::Triangle(size) | Sign::Square(size)) = style.sign;
+        let (Sign::Dot(size)
+        | Sign::Diamond(size)
+        | Sign::Triangle(size)
+        | Sign::Square(size)
+        | Sign::House(size)) = style.sign;
         let mut last: Option<DVec2> = None;
         for place in self.project(places) {
             let free = last.is_none_or(|last| last.distance(place) >= 2.0 * size);
@@ -181,6 +207,10 @@ impl<'a> Brush<'a> {
     }
 }
 
+/// Pixels that a dash is long …
+const DASH: f64 = 6.0;
+/// … and pixels to the next.
+const DASH_GAP: f64 = 5.0;
 /// Corners of an arrowhead in pixels, ahead and across.
 const ARROWHEAD: [[f64; 2]; 3] = [[0.0, 0.0], [-9.0, 4.5], [-9.0, -4.5]];
 /// Pixels from the corner; corners beyond, and those that are not numbers, are left out.
@@ -193,5 +223,7 @@ const LABEL_SIZE: f64 = 12.0;
 const DIAMOND: [[f64; 2]; 4] = [[0.0, -1.2], [1.2, 0.0], [0.0, 1.2], [-1.2, 0.0]];
 const SQUARE: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 const TRIANGLE: [[f64; 2]; 3] = [[0.0, -1.2], [1.1, 0.8], [-1.1, 0.8]];
+const HOUSE: [[f64; 2]; 7] =
+    [[0.0, -1.2], [1.3, 0.0], [0.85, 0.0], [0.85, 1.1], [-0.85, 1.1], [-0.85, 0.0], [-1.3, 0.0]];
 /// Corners as shares of the radius, ahead and across.
 const ARROW: [[f64; 2]; 4] = [[0.66, 0.0], [-0.4, 0.46], [-0.18, 0.0], [-0.4, -0.46]];

@@ -1,7 +1,7 @@
 use cogmap_geometry::DVec2;
 
 use crate::{
-    Colour, LegendEntry, PlaceMark, Role, Sample, Scene, Sheet,
+    Colour, HomingMark, LegendEntry, PlaceMark, Role, Sample, Scene, Sheet,
     brush::Brush,
     font::{CAP_HEIGHT, text_width},
     picture::MARGIN,
@@ -66,11 +66,16 @@ impl Footer {
 fn swatch(sample: Sample) -> f64 {
     match sample {
         Sample::Run | Sample::Age => RUN_SWATCH,
-        Sample::Line(_) | Sample::Area(_) | Sample::Exit | Sample::SupposedExit | Sample::ClosedLoop => {
-            SWATCH
-        }
+        Sample::Line(_)
+        | Sample::Arrow(_)
+        | Sample::Area(_)
+        | Sample::Exit
+        | Sample::SupposedExit
+        | Sample::ClosedLoop => SWATCH,
         Sample::Asrs => ASRS_SWATCH,
         Sample::Sign(Role::Place(PlaceMark::Node(_))) => 18.0,
+        Sample::Sign(Role::Homing(HomingMark::Home)) => 20.0,
+        Sample::Sign(Role::Person) => 12.0,
         Sample::Sign(_) => 8.0,
         Sample::Robot(_) => 14.0,
         Sample::Node => 18.0,
@@ -94,6 +99,7 @@ fn draw_sample(brush: &mut Brush, sample: Sample, at: DVec2) {
     let center = at + DVec2::new(width * 0.5, 0.0);
     match sample {
         Sample::Line(role) => draw_line(brush, at, role),
+        Sample::Arrow(role) => brush.arrow(&[at, at + DVec2::new(SWATCH, 0.0)], brush.style(role)),
         Sample::Area(role) => {
             let half = DVec2::new(width * 0.5, 6.0);
             let corners = [-half, half * DVec2::new(1.0, -1.0), half, half * DVec2::new(-1.0, 1.0)];
@@ -115,9 +121,15 @@ fn draw_sample(brush: &mut Brush, sample: Sample, at: DVec2) {
 }
 
 fn draw_line(brush: &mut Brush, at: DVec2, role: Role) {
-    if let Some(stroke) = brush.style(role).stroke {
+    let style = brush.style(role);
+    if let Some(stroke) = style.stroke {
         let cap = DVec2::new(stroke.width * 0.5, 0.0);
-        brush.line([at + cap, at + DVec2::new(SWATCH, 0.0) - cap], stroke);
+        let ends = [at + cap, at + DVec2::new(SWATCH, 0.0) - cap];
+        if style.dashed {
+            brush.polyline(&ends, style);
+        } else {
+            brush.line(ends, stroke);
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use cogmap_simulation::{BoxObstacle, Door, MapperJournal, Session, Source};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Colouring, Item, Role, Sample, Scene, Shape,
+    Colouring, HomingMark, Item, Role, Sample, Scene, Shape, homing_scene,
     label::plural,
     network_scene,
     surfaces::surfaces,
@@ -27,6 +27,10 @@ pub struct MemoryOptions {
     pub network: bool,
     /// The local frames and how they lie to each other.
     pub frames: bool,
+    /// Where home is, also before the robot is told to go there.
+    pub home: bool,
+    /// What a robot on its way home has in mind.
+    pub homing: bool,
     /// What the colours of the surfaces say.
     pub colouring: Colouring,
 }
@@ -40,6 +44,8 @@ impl Default for MemoryOptions {
             exits: true,
             network: false,
             frames: false,
+            home: false,
+            homing: true,
             colouring: Colouring::View,
         }
     }
@@ -68,15 +74,16 @@ pub fn memory_scene(session: &Session, mapper: usize, options: MemoryOptions) ->
     if options.truth {
         draw_truth(&mut scene, session, journal);
     }
-    scene.still.extend(surfaces(mind, options.colouring));
+    draw_surfaces(&mut scene, session, mapper, options);
     let robot = mind.map_from_robot(session.odom_from_robot());
     if options.path {
-        draw_path(&mut scene, mind, journal, robot);
+        draw_path(&mut scene, session, mapper, robot);
     }
     network_scene::draw(&mut scene, mind, journal, options);
     if let (true, Some(report)) = (options.view, journal.reports.last()) {
         draw_view(&mut scene, mind, report);
     }
+    draw_homing(&mut scene, session, mapper, options);
     if let Some(robot) = robot {
         let shape = Shape::Robot(robot, robot_radius(session));
         scene.changing.push(Item::new(Role::BelievedRobot, shape));
@@ -106,11 +113,39 @@ fn words(session: &Session, name: &str, mind: &Mapper, views: usize) -> (String,
     (format!("The robot’s memory: {name}"), note)
 }
 
-fn draw_path(scene: &mut Scene, mind: &Mapper, journal: &MapperJournal, robot: Option<Pose>) {
+fn draw_surfaces(scene: &mut Scene, session: &Session, mapper: usize, options: MemoryOptions) {
+    let Some(mind) = session.mappers().get(mapper) else { return };
+    let is_trusted = |stored: &_| !options.homing || homing_scene::is_trusted(session, mapper, stored);
+    let surfaces = surfaces(mind, options.colouring, &is_trusted);
+    let forgotten = Role::Homing(HomingMark::Forgotten);
+    if surfaces.first().is_some_and(|item| item.role == forgotten) {
+        scene.explain(Sample::Line(forgotten), "not trusted now");
+    }
+    scene.still.extend(surfaces);
+}
+
+fn draw_homing(scene: &mut Scene, session: &Session, mapper: usize, options: MemoryOptions) {
+    let Some(mind) = session.mappers().get(mapper) else { return };
+    let told = !homing_scene::times_home(session).is_empty();
+    if options.homing {
+        homing_scene::draw_decision(scene, session, mapper, mind);
+    }
+    if let (true, Some(home)) = (options.home || (told && options.homing), homing_scene::believed_home(mind))
+    {
+        homing_scene::draw_home(scene, home, "home, as it believes");
+    }
+}
+
+/// A path: the way out, and the way home where there is one.
+fn draw_path(scene: &mut Scene, session: &Session, mapper: usize, robot: Option<Pose>) {
+    let (Some(mind), Some(journal)) = (session.mappers().get(mapper), session.journal().mappers.get(mapper))
+    else {
+        return;
+    };
     let points: Vec<_> = mind.path().iter().map(|point| mind.mfis().place_of(point).position).collect();
-    let tail = points.last().zip(robot).map(|(last, robot)| vec![*last, robot.position]);
-    scene.changing.extend(tail.map(|tail| Item::new(Role::Path, Shape::Polyline(tail))));
-    scene.still.push(Item::new(Role::Path, Shape::Polyline(points.clone())));
+    let timed: Vec<_> = journal.reports.iter().map(|report| report.t).zip(points.iter().copied()).collect();
+    let tail = timed.last().zip(robot).map(|((_, last), robot)| vec![*last, robot.position]);
+    homing_scene::draw_path(scene, session, &timed, tail, Role::Path);
     scene.still.push(Item::new(Role::PathStep, Shape::Signs(points)));
     scene.explain(Sample::Sign(Role::PathStep), "a view");
     if mind.is_odometry() {

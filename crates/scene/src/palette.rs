@@ -18,6 +18,8 @@ pub(crate) struct Palette {
     pub(crate) furniture_edge: u32,
     /// Doors.
     pub(crate) door: u32,
+    /// People.
+    pub(crate) person: u32,
     /// What the laser sees.
     pub(crate) laser: u32,
     /// The robot and its way.
@@ -28,6 +30,8 @@ pub(crate) struct Palette {
     pub(crate) warning: u32,
     /// What was just added.
     pub(crate) added: u32,
+    /// What is seen to be free, and the way home.
+    pub(crate) homeward: u32,
     /// The world laid over a memory.
     pub(crate) truth: u32,
     /// Local spaces: far apart to every eye, also to those that do not tell red from green.
@@ -45,11 +49,13 @@ pub(crate) const LIGHT: Palette = Palette {
     furniture: 0xefece5,
     furniture_edge: 0x8f897c,
     door: 0x8a5a2b,
+    person: 0x7c3a9c,
     laser: 0xd9480f,
     robot: 0x1f5fd6,
     reference: 0xd0146c,
     warning: 0xc2410c,
     added: 0x15803d,
+    homeward: 0x0b7a4b,
     truth: 0xb9b5aa,
     asrs: [0x005cd2, 0xf6570f, 0x049e7a, 0xa03488, 0x884d00, 0x121479, 0x780a37, 0x4493d9],
     ramp: ON_LIGHT,
@@ -64,11 +70,13 @@ pub(crate) const DARK: Palette = Palette {
     furniture: 0x272c35,
     furniture_edge: 0x737d8e,
     door: 0xd2a06a,
+    person: 0xc79bff,
     laser: 0xff9f45,
     robot: 0x6aa5ff,
     reference: 0xff62aa,
     warning: 0xff8f5a,
     added: 0x4ade80,
+    homeward: 0x3ddc97,
     truth: 0x4c5462,
     asrs: [0x2faaff, 0xff8e1d, 0x05c881, 0xd370bb, 0xe4dc3c, 0x7e68fe, 0xc6584e, 0x67d2e1],
     ramp: ON_DARK,

@@ -1,4 +1,4 @@
-use crate::PlaceMark;
+use crate::{HomingMark, PlaceMark};
 
 /// What a thing in the picture is; the theme decides what it looks like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +15,8 @@ pub enum Role {
     Door,
     /// The way that a door leaf swings.
     DoorSwing,
+    /// Somebody who walks there.
+    Person,
     /// Where the robot really went.
     TruePath,
     /// The robot where it really is.
@@ -35,6 +37,8 @@ pub enum Role {
     DebrisOfAge(u32),
     /// A mark of the network of local spaces.
     Place(PlaceMark),
+    /// A mark of the way home.
+    Homing(HomingMark),
     /// A surface of the latest view, where it lies in the map.
     SeenNow,
     /// The surface of the map that the latest view was placed by.

@@ -52,6 +52,8 @@ pub enum Shape {
 pub enum Sample {
     /// A line of that role.
     Line(Role),
+    /// A line with an arrowhead.
+    Arrow(Role),
     /// An area of that role.
     Area(Role),
     /// The sign of that role.
@@ -128,7 +130,7 @@ impl Scene {
 }
 
 impl Shape {
-    fn carry(&mut self, pose: Pose) {
+    pub(crate) fn carry(&mut self, pose: Pose) {
         match self {
             Self::Segments(segments) => segments.iter_mut().for_each(|segment| *segment = pose * *segment),
             Self::Polyline(points) | Self::Arrow(points) | Self::Polygon(points) | Self::Signs(points) => {

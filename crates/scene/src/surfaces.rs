@@ -1,7 +1,7 @@
 use cogmap_mapping::{Mapper, memory::StoredSurface};
 use serde::{Deserialize, Serialize};
 
-use crate::{Item, PlaceMark, Role, Shape};
+use crate::{HomingMark, Item, PlaceMark, Role, Shape};
 
 /// What the colour of a surface says.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -19,11 +19,22 @@ pub enum Colouring {
 /// Surfaces below this are thin, metres.
 const DEBRIS: f64 = 0.4;
 
-/// What a mapper remembers: debris first, so that walls lie above it; oldest first.
-pub(crate) fn surfaces(mind: &Mapper, colouring: Colouring) -> Vec<Item> {
+/// What a mapper remembers: what the robot does not go by below, then debris, so that walls lie above
+/// it; oldest first.
+pub(crate) fn surfaces(
+    mind: &Mapper,
+    colouring: Colouring,
+    is_trusted: &dyn Fn(&StoredSurface) -> bool,
+) -> Vec<Item> {
+    let (trusted, forgotten): (Vec<_>, Vec<_>) =
+        mind.mfis().remembered().partition(|surface| is_trusted(surface));
     let (debris, long): (Vec<_>, Vec<_>) =
-        mind.mfis().remembered().partition(|surface| surface.segment.length() < DEBRIS);
+        trusted.into_iter().partition(|surface| surface.segment.length() < DEBRIS);
     let mut items = Vec::new();
+    if !forgotten.is_empty() {
+        let segments = forgotten.iter().map(|surface| mind.mfis().in_map(surface)).collect();
+        items.push(Item::new(Role::Homing(HomingMark::Forgotten), Shape::Segments(segments)));
+    }
     for surfaces in [debris, long] {
         let role = |surface: &StoredSurface| role(surface, mind, colouring);
         let item = |run: &[&StoredSurface]| {

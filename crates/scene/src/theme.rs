@@ -36,6 +36,8 @@ pub enum Sign {
     Triangle(f64),
     /// A square on its side.
     Square(f64),
+    /// A house.
+    House(f64),
 }
 
 /// How a thing is drawn.
@@ -47,6 +49,8 @@ pub struct Style {
     pub stroke: Option<Stroke>,
     /// What marks its points, where it is a set of points.
     pub sign: Sign,
+    /// Whether its lines are dashed.
+    pub dashed: bool,
 }
 
 impl Theme {
@@ -99,6 +103,10 @@ impl Theme {
             }
             Role::Door => Style::line(solid(palette.door), (pixels_per_metre * 0.05).clamp(1.5, 3.0)),
             Role::DoorSwing => Style::line(solid(palette.door).with_alpha(96), 1.0),
+            Role::Person => Style {
+                sign: Sign::Dot(5.0),
+                ..Style::area(solid(palette.person).with_alpha(110), Some((solid(palette.person), 2.0)))
+            },
             Role::TruePath => Style::line(solid(palette.robot).with_alpha(170), 1.5),
             Role::Robot => Style::area(solid(palette.robot), Some((solid(palette.room), 1.5))),
             Role::LaserFan => Style::area(solid(palette.laser).with_alpha(28), None),
@@ -109,6 +117,7 @@ impl Theme {
             Role::SurfaceOfAge(age) => Style::surface(self.of_age(share_of_age(age)), pixels_per_metre),
             Role::DebrisOfAge(age) => Style::debris(self.of_age(share_of_age(age))),
             Role::Place(mark) => mark.style(self, pixels_per_metre),
+            Role::Homing(mark) => mark.style(palette),
             Role::SeenNow => Style::line(solid(palette.robot).with_alpha(90), 6.0),
             Role::ReferenceKnown => Style::line(solid(palette.reference).with_alpha(90), 9.0),
             Role::ReferenceSeen => Style::line(solid(palette.reference), 2.0),
@@ -128,16 +137,21 @@ impl Theme {
 
 impl Style {
     pub(crate) fn line(colour: Colour, width: f64) -> Self {
-        Self { fill: None, stroke: Some(Stroke { colour, width }), sign: Sign::Dot(width) }
+        Self { fill: None, stroke: Some(Stroke { colour, width }), sign: Sign::Dot(width), dashed: false }
     }
 
     pub(crate) fn area(fill: Colour, edge: Option<(Colour, f64)>) -> Self {
         let stroke = edge.map(|(colour, width)| Stroke { colour, width });
-        Self { fill: Some(fill), stroke, sign: Sign::Dot(1.0) }
+        Self { fill: Some(fill), stroke, sign: Sign::Dot(1.0), dashed: false }
     }
 
     pub(crate) fn points(fill: Colour, sign: Sign) -> Self {
-        Self { fill: Some(fill), stroke: None, sign }
+        Self { fill: Some(fill), stroke: None, sign, dashed: false }
+    }
+
+    /// The same in dashes.
+    pub(crate) fn dashed(self) -> Self {
+        Self { dashed: true, ..self }
     }
 
     /// A wall as a memory holds it.
@@ -269,11 +283,13 @@ mod tests {
                 }
                 for mark in [
                     palette.door,
+                    palette.person,
                     palette.laser,
                     palette.robot,
                     palette.reference,
                     palette.warning,
                     palette.added,
+                    palette.homeward,
                 ] {
                     assert!(contrast(Colour::solid(mark), ground) >= 3.0, "{theme:?} {mark:06x}");
                 }

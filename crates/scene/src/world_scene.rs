@@ -1,10 +1,10 @@
 use cogmap_geometry::{DVec2, Pose, Segment, trig};
 use cogmap_mapping::perception::Scan;
-use cogmap_simulation::{BodyParams, Door, Robot, Room, Session, Source, World};
+use cogmap_simulation::{BodyParams, Disc, Door, Robot, Room, Session, Source, World};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Item, LegendEntry, Role, Sample, Scene, Shape,
+    Item, LegendEntry, Role, Sample, Scene, Shape, homing_scene,
     label::{label_place, plural},
 };
 
@@ -18,11 +18,13 @@ pub struct WorldOptions {
     pub path: bool,
     /// The names of the rooms.
     pub labels: bool,
+    /// Where the run began, also before the robot is told to go back there.
+    pub home: bool,
 }
 
 impl Default for WorldOptions {
     fn default() -> Self {
-        Self { laser: true, path: true, labels: true }
+        Self { laser: true, path: true, labels: true, home: false }
     }
 }
 
@@ -42,17 +44,20 @@ pub fn world_scene(session: &Session, options: WorldOptions) -> Scene {
         draw_world(&mut scene, world, options);
     }
     if options.path {
-        let mut points: Vec<_> = way.iter().map(|stamped| stamped.pose.position).collect();
-        points.dedup();
-        let tail = points.last().map(|last| vec![*last, robot.position]);
-        scene.changing.extend(tail.map(|tail| Item::new(Role::TruePath, Shape::Polyline(tail))));
-        scene.still.push(Item::new(Role::TruePath, Shape::Polyline(points)));
-        scene.explain(Sample::Line(Role::TruePath), "its way");
+        let mut points: Vec<_> = way.iter().map(|stamped| (stamped.t, stamped.pose.position)).collect();
+        points.dedup_by_key(|(_, place)| *place);
+        let tail = points.last().map(|(_, last)| vec![*last, robot.position]);
+        homing_scene::draw_path(&mut scene, session, &points, tail, Role::TruePath);
     }
     if let (true, Some(scan), Some(taken)) = (options.laser, session.last_scan(), way.last()) {
         scene.changing.extend(laser(scan, taken.pose));
         scene.explain(Sample::Area(Role::LaserFan), "what the laser sees");
     }
+    let told = !homing_scene::times_home(session).is_empty();
+    if let Some(world) = session.world().filter(|_| options.home || told) {
+        homing_scene::draw_home(&mut scene, world.start.position.into(), "home");
+    }
+    draw_people(&mut scene, session.people());
     scene.changing.push(Item::new(Role::Robot, Shape::Robot(robot, robot_radius(session))));
     scene
 }
@@ -107,6 +112,14 @@ fn draw_world(scene: &mut Scene, world: &World, options: WorldOptions) {
     }
     if !(world.boxes.is_empty() && world.posts.is_empty()) {
         scene.explain(Sample::Area(Role::Furniture), "furniture");
+    }
+}
+
+fn draw_people(scene: &mut Scene, people: &[Disc]) {
+    let discs = people.iter().map(|person| Shape::Disc(person.center, person.radius));
+    scene.changing.extend(discs.map(|disc| Item::new(Role::Person, disc)));
+    if !people.is_empty() {
+        scene.explain(Sample::Sign(Role::Person), "somebody walking");
     }
 }
 

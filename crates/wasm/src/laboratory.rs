@@ -99,10 +99,9 @@ impl Laboratory {
     /// Tells the robot what to do.
     ///
     /// # Errors
-    /// What is no order.
+    /// What is no order, or no strategy.
     pub fn order(&mut self, order: &Ts<Order>) -> Result<(), JsError> {
-        self.run.order(order.to_rust()?);
-        Ok(())
+        Ok(self.run.order(order.to_rust()?)?)
     }
 
     /// Ends the playing of the route: the robot finishes its step and waits for orders.

@@ -14,6 +14,8 @@ pub struct Layers {
     pub network: bool,
     /// The world laid over the memory.
     pub truth: bool,
+    /// What a robot on its way home has in mind.
+    pub homing: bool,
 }
 
 /// What the colour of a surface says.
@@ -30,18 +32,18 @@ pub enum Colours {
 
 impl Default for Layers {
     fn default() -> Self {
-        Self { colours: Colours::View, exits: true, network: true, truth: false }
+        Self { colours: Colours::View, exits: true, network: true, truth: false, homing: true }
     }
 }
 
 impl From<Layers> for MemoryOptions {
     fn from(layers: Layers) -> Self {
-        let Layers { colours, exits, network, truth } = layers;
+        let Layers { colours, exits, network, truth, homing } = layers;
         let colouring = match colours {
             Colours::View => Colouring::View,
             Colours::Asr => Colouring::Asr,
             Colours::Age => Colouring::Age,
         };
-        Self { truth, exits, network, colouring, ..Self::default() }
+        Self { truth, exits, network, homing, home: true, colouring, ..Self::default() }
     }
 }

@@ -11,6 +11,7 @@
 
 mod canvas;
 mod failure;
+mod homing;
 mod laboratory;
 mod layers;
 mod look;
@@ -29,6 +30,7 @@ pub use look::Look;
 pub use order::Order;
 pub use setup::{Choices, Opening, Setup};
 pub use status::{
-    Happened, Happening, LastView, MemoryStatus, Offset, PlacementKind, ReferencePair, SourceKind, Status,
+    Ending, Happened, Happening, HomingStatus, LastView, Lead, MemoryStatus, Offset, PlacementKind,
+    ReferencePair, SourceKind, Status,
 };
 pub use views::View;

@@ -3,7 +3,7 @@
 use cogmap_formats::{carmen, gzip, session, sha256_hex, world};
 use cogmap_geometry::DVec2;
 use cogmap_mapping::MapperSetup;
-use cogmap_simulation::{Driver, Robot, Session, SessionRecord, Source, World};
+use cogmap_simulation::{Driver, Robot, Session, SessionRecord, Source, Strategy, World};
 
 use crate::{
     failure::Failure,
@@ -119,6 +119,11 @@ fn text<'a>(plain: &'a [u8], name: &str) -> Result<&'a str, Failure> {
 
 fn robot(name: &str) -> Result<Robot, Failure> {
     Robot::named(name).ok_or_else(|| unknown("robot", name, &Robot::NAMES))
+}
+
+/// The strategy of that name.
+pub(crate) fn strategy(name: &str) -> Result<Strategy, Failure> {
+    Strategy::named(name).ok_or_else(|| unknown("strategy", name, &Strategy::names()))
 }
 
 /// The mappers of these names: at least one, each once.

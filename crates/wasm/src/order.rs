@@ -3,6 +3,8 @@ use cogmap_simulation::{BodyParams, Command};
 use serde::Deserialize;
 use tsify::Tsify;
 
+use crate::{failure::Failure, opening};
+
 /// Share of the highest speed at which a person drives: fast enough to be fun, slow enough to steer.
 const DRIVING_SHARE: f64 = 0.5;
 /// Share of the highest turn rate at which a person turns.
@@ -15,7 +17,7 @@ const NUDGE_TURN: f64 = core::f64::consts::FRAC_PI_6;
 const NEAR: f64 = 0.05;
 
 /// What a person tells the robot, in terms that leave its speeds to the engine.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Tsify)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Tsify)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Order {
     /// Drive until told otherwise.
@@ -34,12 +36,17 @@ pub enum Order {
     },
     /// Come to rest.
     Stop,
+    /// Find the way home alone.
+    GoHome {
+        /// One of [`Choices::strategies`](crate::Choices::strategies).
+        strategy: String,
+    },
 }
 
 impl Order {
     /// What the robot of that body is told.
-    pub(crate) fn command(self, body: &BodyParams) -> Command {
-        match self {
+    pub(crate) fn command(self, body: &BodyParams) -> Result<Command, Failure> {
+        Ok(match self {
             Self::Steer { ahead, left } => Command::Drive {
                 linear: share(ahead) * DRIVING_SHARE * body.max_speed,
                 angular: share(left) * TURNING_SHARE * body.max_turn_rate,
@@ -48,7 +55,8 @@ impl Order {
                 Command::Step { turn: share(left) * NUDGE_TURN, travel: share(ahead) * NUDGE }
             }
             Self::Stop => Command::Stop,
-        }
+            Self::GoHome { strategy } => Command::GoHome { strategy: opening::strategy(&strategy)? },
+        })
     }
 }
 
@@ -74,7 +82,7 @@ mod tests {
     fn nothing_that_a_page_sends_exceeds_the_robot() {
         let body = BodyParams::default();
         for wild in [f64::NAN, f64::INFINITY, -1e300, 7.0] {
-            let Command::Drive { linear, angular } =
+            let Ok(Command::Drive { linear, angular }) =
                 (Order::Steer { ahead: wild, left: wild }).command(&body)
             else {
                 panic!("steering drives");

@@ -4,6 +4,7 @@ use cogmap_simulation::{Command, Driver, Robot, Session, Source, Stamped};
 
 use crate::{
     failure::Failure,
+    homing::homing,
     memories::memories,
     order::{Order, step_to},
     status::{SourceKind, Status},
@@ -98,10 +99,11 @@ impl Run {
     }
 
     /// Tells the robot what to do; a log's robot cannot be told anything.
-    pub(crate) fn order(&mut self, order: Order) {
-        if let Some(command) = self.robot().map(|robot| order.command(&robot.body)) {
-            self.tell(command);
+    pub(crate) fn order(&mut self, order: Order) -> Result<(), Failure> {
+        if let Some(robot) = self.robot() {
+            self.tell(order.command(&robot.body)?);
         }
+        Ok(())
     }
 
     /// The robot that is driven; a log's robot is not known.
@@ -157,6 +159,7 @@ impl Run {
             collisions: journal.mappers.first().map_or(0, |mapper| mapper.collisions().count()),
             travelled: length_of(if truth_known { &journal.truth } else { &journal.odometry }),
             memories: memories(session),
+            homing: homing(session),
         }
     }
 }

@@ -4,9 +4,12 @@ use cogmap_simulation::Session;
 
 use crate::views::View;
 
+/// What is shown of the world.
+const IN_THE_WORLD: WorldOptions = WorldOptions { laser: true, path: true, labels: true, home: true };
+
 /// What a view shows of a session, in the coordinates that all views share.
 pub(crate) fn scene(session: &Session, view: View, options: MemoryOptions) -> Scene {
-    let Some(mapper) = view.mapper() else { return world_scene(session, WorldOptions::default()) };
+    let Some(mapper) = view.mapper() else { return world_scene(session, IN_THE_WORLD) };
     let shared_from_map = shared_from_map(session, mapper).unwrap_or(Pose::IDENTITY);
     memory_scene(session, mapper, options).seen_from(shared_from_map)
 }

@@ -1,5 +1,5 @@
 use cogmap_mapping::MapperSetup;
-use cogmap_simulation::Robot;
+use cogmap_simulation::{Robot, Strategy};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 
@@ -37,6 +37,8 @@ pub struct Opening {
 
 /// What the page opens with, as the command line does.
 const FIRST_MAPPER: &str = "consensus";
+/// How the robot goes home unless somebody chooses otherwise.
+const FIRST_STRATEGY: &str = "recommended";
 
 /// The names that a [`Setup`] can hold, and what is chosen at first.
 #[derive(Clone, Debug, Serialize, Tsify)]
@@ -45,10 +47,14 @@ pub struct Choices {
     pub robots: Vec<String>,
     /// The mappers.
     pub mappers: Vec<String>,
+    /// The ways of going home, by name.
+    pub strategies: Vec<String>,
     /// The robot at first.
     pub robot: String,
     /// The mapper at first.
     pub mapper: String,
+    /// The way of going home at first.
+    pub strategy: String,
     /// The seed at first.
     pub seed: u64,
     /// What is shown at first.
@@ -63,8 +69,10 @@ impl Choices {
         Self {
             robots: names(&Robot::NAMES),
             mappers: names(&MapperSetup::NAMES),
+            strategies: names(&Strategy::names()),
             robot: robot.to_owned(),
             mapper: FIRST_MAPPER.to_owned(),
+            strategy: FIRST_STRATEGY.to_owned(),
             seed: 1,
             layers: Layers::default(),
         }

@@ -14,7 +14,7 @@ const EMPTY: f64 = 5.0;
 /// Views at least this wide and high have room for their legend, pixels.
 const ROOM_FOR_LEGEND: DVec2 = DVec2::new(440.0, 380.0);
 /// Pixels kept free around everything, with the scale bar and the legend below.
-const AROUND_LEGEND: Margins = Margins { top: 20.0, bottom: 84.0, side: 20.0 };
+const AROUND_LEGEND: Margins = Margins { top: 20.0, bottom: 116.0, side: 20.0 };
 /// Pixels kept free around everything, with the scale bar alone below.
 const AROUND: Margins = Margins { top: 12.0, bottom: 44.0, side: 12.0 };
 

@@ -4,6 +4,7 @@ import type { Direction } from '../state/held.svelte';
 export type Action =
   | 'toggle'
   | 'next'
+  | 'home'
   | 'stop'
   | 'restart'
   | 'slower'
@@ -14,6 +15,7 @@ export type Action =
   | 'truth'
   | 'exits'
   | 'network'
+  | 'plans'
   | 'colours'
   | 'theme'
   | 'help';
@@ -32,6 +34,7 @@ const DIRECTIONS: Record<string, Direction> = {
 const ACTIONS: Record<string, Action> = {
   ' ': 'toggle',
   '.': 'next',
+  h: 'home',
   x: 'stop',
   r: 'restart',
   '[': 'slower',
@@ -44,6 +47,7 @@ const ACTIONS: Record<string, Action> = {
   o: 'truth',
   e: 'exits',
   n: 'network',
+  p: 'plans',
   c: 'colours',
   t: 'theme',
   '?': 'help',

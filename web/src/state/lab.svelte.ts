@@ -20,6 +20,8 @@ const OPENING_VIEWS = 6;
 export class Lab {
   offer = $state.raw<Offer>();
   choice = $state.raw<Choice>({ world: OPENING_WORLD, robot: '', mappers: [], seed: 1 });
+  /** How the robot finds the way when it is told to go home. */
+  strategy = $state('');
   status = $state.raw<Status>();
   playing = $state(false);
   pace = $state<Pace>(2);
@@ -43,6 +45,9 @@ export class Lab {
     this.status?.source === 'log' && this.status.position < this.status.end ? this.status : undefined,
   );
 
+  /** The robot on its way home, while it is. */
+  readonly going = $derived(this.status?.homing?.ended === undefined ? this.status?.homing : undefined);
+
   /** The mappers whose memories are shown. */
   readonly mappers = $derived(this.status?.memories.map(({ mapper }) => mapper) ?? []);
   /** The views on the page; at first the memory, until it is known how many there are. */
@@ -64,10 +69,11 @@ export class Lab {
     const listen = proxy((notice: Notice) => this.hear(notice));
     try {
       const offer = await this.bench.begin(listen);
-      const { robot, mapper, seed, layers } = offer.choices;
+      const { robot, mapper, strategy, seed, layers } = offer.choices;
       const world = offer.worlds.find(({ file }) => file === OPENING_WORLD) ?? offer.worlds[0];
       this.offer = offer;
       this.layers = layers;
+      this.strategy = strategy;
       await this.start({ world: world?.file ?? '', robot, mappers: [mapper], seed }, OPENING_VIEWS);
     } catch (error) {
       this.failure = reason(error);
@@ -155,6 +161,12 @@ export class Lab {
     void this.bench.order(order);
   }
 
+  /** Sends the robot home; one that is on its way already goes on. */
+  goHome(): void {
+    if (this.going?.strategy === this.strategy) this.play();
+    else this.order({ kind: 'go_home', strategy: this.strategy });
+  }
+
   reach(x: number, y: number): void {
     if (this.status?.source !== 'world') return;
     this.driven = true;
@@ -167,6 +179,7 @@ export class Lab {
   }
 
   cancel = (): void => void this.bench.cancel();
+  play = (): void => void this.bench.play(true);
   toggle = (): void => void this.bench.play(!this.running);
   next = (): void => void this.bench.next();
   jump = (position: number): void => void this.bench.jump(position);

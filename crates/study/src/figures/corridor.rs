@@ -31,7 +31,8 @@ pub(super) fn nothing_in_view(runs: &mut Runs) -> Result<Drawing, String> {
     let items =
         vec![surfaces(Role::SurfaceOfView(0), place, &report.view.surfaces), robot(Role::Robot, place)];
     let legend = [(Sample::Line(Role::SurfaceOfView(0)), "surface in view")];
-    let world = world_scene(&run.session, WorldOptions { laser: true, path: true, labels: true });
+    let world =
+        world_scene(&run.session, WorldOptions { laser: true, path: true, labels: true, home: false });
     let Bounds { min, max } = world.bounds().ok_or("the world is empty")?;
     let strip = Bounds {
         min: DVec2::new(min.x, place.position.y - 1.2),

@@ -19,7 +19,7 @@ pub(super) fn map_of(run: &Run, mapper: &str) -> Scene {
 
 /// The building with the way through it.
 pub(super) fn plan_of(run: &Run) -> Scene {
-    world_scene(&run.session, WorldOptions { laser: false, path: true, labels: true })
+    world_scene(&run.session, WorldOptions { laser: false, path: true, labels: true, home: false })
 }
 
 /// A scene as a panel.

@@ -112,6 +112,67 @@ fn an_order_ends_the_route_and_is_obeyed() {
     assert!(message(laboratory.order(&ts(r#"{"kind":"fly"}"#))).contains("fly"));
 }
 
+/// What the status says about the way home under a key.
+fn of_homing(laboratory: &Laboratory, key: &str) -> JsValue {
+    let homing = told(laboratory, "homing");
+    if homing.is_undefined() { homing } else { Reflect::get(&homing, &key.into()).unwrap() }
+}
+
+/// A laboratory whose robot has driven its route and is told to go home.
+fn going_home(strategy: &str) -> Laboratory {
+    let mut laboratory = begin(CELL, "good").ok().unwrap();
+    until_idle(&mut laboratory);
+    assert!(told(&laboratory, "homing").is_undefined());
+    laboratory.order(&ts(&format!(r#"{{"kind":"go_home","strategy":"{strategy}"}}"#))).ok().unwrap();
+    assert!(!laboratory.idle());
+    laboratory
+}
+
+#[wasm_bindgen_test]
+fn a_robot_that_is_told_to_go_home_goes_there_and_says_why() {
+    let mut laboratory = going_home("recommended");
+    while of_homing(&laboratory, "why").is_falsy() {
+        assert!(laboratory.advance());
+    }
+    assert_eq!(of_homing(&laboratory, "lead"), JsValue::from("planning"));
+    assert!(of_homing(&laboratory, "ended").is_undefined());
+    until_idle(&mut laboratory);
+    assert_eq!(of_homing(&laboratory, "ended"), JsValue::from("home"));
+    assert!(of_homing(&laboratory, "distance").as_f64().unwrap() < 0.7);
+    assert!(of_homing(&laboratory, "believed").as_f64().unwrap() <= 0.35);
+}
+
+#[wasm_bindgen_test]
+fn a_way_home_replays_to_the_same_end() {
+    let mut laboratory = going_home("faithful");
+    until_idle(&mut laboratory);
+    let mut opened = open("cell.session.json", laboratory.save_session().as_bytes(), None).ok().unwrap();
+    until_idle(&mut opened);
+    assert_eq!(opened.map_json(0), laboratory.map_json(0));
+    for key in ["ended", "why", "decisions", "believed", "distance"] {
+        assert!(!of_homing(&laboratory, key).is_undefined(), "{key}");
+        assert_eq!(of_homing(&opened, key), of_homing(&laboratory, key), "{key}");
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_way_home_can_be_stopped_and_begun_again() {
+    let mut laboratory = going_home("retrace");
+    for _ in 0..100 {
+        laboratory.advance();
+    }
+    laboratory.order(&ts(r#"{"kind":"stop"}"#)).ok().unwrap();
+    until_idle(&mut laboratory);
+    assert_eq!(of_homing(&laboratory, "ended"), JsValue::from("stopped"));
+    laboratory.order(&ts(r#"{"kind":"nudge","ahead":0,"left":1}"#)).ok().unwrap();
+    until_idle(&mut laboratory);
+    assert!(told(&laboratory, "homing").is_undefined());
+    laboratory.order(&ts(r#"{"kind":"go_home","strategy":"retrace"}"#)).ok().unwrap();
+    until_idle(&mut laboratory);
+    assert_eq!(of_homing(&laboratory, "ended"), JsValue::from("home"));
+    assert!(message(laboratory.order(&ts(r#"{"kind":"go_home","strategy":"fly"}"#))).contains("oracle"));
+}
+
 #[wasm_bindgen_test]
 fn going_back_and_on_again_changes_nothing() {
     let mut laboratory = begin(CELL, "bad").ok().unwrap();
@@ -190,7 +251,10 @@ fn a_page_can_look_anywhere() {
     laboratory.zoom(1e300, &ts(r#""first""#), Some(1.0), Some(f64::NAN)).ok().unwrap();
     laboratory.fit();
     laboratory.close(&ts(r#""fourth""#)).ok().unwrap();
-    laboratory.show(&ts(r#"{"colours":"asr","exits":true,"network":true,"truth":true}"#)).ok().unwrap();
+    laboratory
+        .show(&ts(r#"{"colours":"asr","exits":true,"network":true,"truth":true,"homing":false}"#))
+        .ok()
+        .unwrap();
     assert!(laboratory.reach(320.0, 100.0));
     assert!(!laboratory.reach(f64::NAN, 100.0));
     laboratory.jump(-1.0);

@@ -1,0 +1,71 @@
+//! How it goes with going home, in figures and for words.
+
+use cogmap_navigation::{Atlas, Belief, Decision, HomingEvent, Mode};
+use cogmap_simulation::{Command, Session, SessionEvent, WorldEvent};
+
+use crate::status::{Ending, HomingStatus, Lead};
+
+/// How it goes with going home, if that is what the robot does or did last: what it was told after the
+/// order that ended its way is not about home any more.
+pub(crate) fn homing(session: &Session) -> Option<HomingStatus> {
+    let told = session.record().commands().iter().filter(|timed| timed.tick <= session.position());
+    let to_the_robot = |command: &&Command| !matches!(command, Command::Change(_));
+    let told: Vec<&Command> = told.map(|timed| &timed.command).filter(to_the_robot).collect();
+    let (strategy, later) = told.iter().enumerate().rev().find_map(|(index, command)| match command {
+        Command::GoHome { strategy } => Some((strategy, told.len() - 1 - index)),
+        _ => None,
+    })?;
+    let ended = ending(session).filter(|_| session.homing().is_none());
+    if later > usize::from(ended == Some(Ending::Stopped)) {
+        return None;
+    }
+    let decisions = decisions(session);
+    let last = decisions.last();
+    Some(HomingStatus {
+        strategy: strategy.name().to_owned(),
+        lead: last.map(|decision| lead(decision.mode)),
+        why: last.map(|decision| decision.why.clone()),
+        decisions: decisions.len(),
+        believed: believed(session),
+        distance: distance(session)?,
+        ended,
+    })
+}
+
+/// What the robot has decided since it was told to go home, as far as it has decided anything yet.
+fn decisions(session: &Session) -> &[Decision] {
+    let journal = session.journal();
+    let undecided = session.homing().is_some_and(|pilot| pilot.decisions() == 0);
+    let begun = journal.homings.last().filter(|_| !undecided);
+    begun.and_then(|begun| journal.decisions.get(begun.decisions..)).unwrap_or_default()
+}
+
+/// How the latest way home ended.
+fn ending(session: &Session) -> Option<Ending> {
+    session.journal().mappers.first()?.events.iter().rev().find_map(|(_, event)| match event {
+        SessionEvent::Homing(HomingEvent::Home { .. }) => Some(Ending::Home),
+        SessionEvent::Homing(HomingEvent::Stuck { .. }) => Some(Ending::Stuck),
+        SessionEvent::World(WorldEvent::Stopped) => Some(Ending::Stopped),
+        _ => None,
+    })
+}
+
+fn lead(mode: Mode) -> Lead {
+    match mode {
+        Mode::Direction => Lead::Direction,
+        Mode::Route => Lead::Route,
+        Mode::Planning => Lead::Planning,
+    }
+}
+
+/// Metres to where the robot believes that home is; nothing where another mapper than those shown led it.
+fn believed(session: &Session) -> Option<f64> {
+    let mapper = session.mappers().first().filter(|_| session.record().navigator.is_none())?;
+    Belief::of(mapper, &Atlas::of(mapper), session.odom_from_robot())?.distance_home()
+}
+
+/// Metres to where it truly is.
+fn distance(session: &Session) -> Option<f64> {
+    let began = session.journal().truth.first()?;
+    Some(session.world_from_robot()?.position.distance(began.pose.position))
+}
