@@ -31,7 +31,6 @@ pub(super) struct Doorway {
 struct Neighbours {
     between: [usize; 2],
     through: usize,
-    /// The wall that both have in common.
     wall: Rect,
 }
 
@@ -194,12 +193,10 @@ fn leaf_ends(doorway: &Doorway, into: usize) -> [[i32; 2]; 2] {
         point[along] = doorway.opening.span(along)[end];
         point
     };
-    // Turning the way from hinge to latch left must lead into the space.
     let from_low = (into == 1) == (through == 1);
     if from_low { [at(0), at(1)] } else { [at(1), at(0)] }
 }
 
-/// Where corridors touch each other.
 fn meetings(spaces: &[Space]) -> Vec<Doorway> {
     let corridors = spaces.iter().filter(|space| space.kind == Kind::Corridor).count();
     let mut meetings = Vec::new();
