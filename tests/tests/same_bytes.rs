@@ -9,18 +9,17 @@ use std::{env, fs, path::PathBuf};
 
 use cogmap_formats::{run, session, sha256_hex, world};
 use cogmap_mapping::MapperSetup;
-use cogmap_simulation::{Command, Person, Robot, Session, SessionRecord, Source, Strategy, WorldChange};
+use cogmap_simulation::{Command, Robot, Session, SessionRecord, Source};
 
 fn golden(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("goldens").join(name)
 }
 
-/// Drives the bad robot about the office by hand, where somebody walks and a door is closed: every kind of
-/// command, a wall in the way, readings between the steps, and a stretch of the way home.
+/// Drives the bad robot about the office by hand: every kind of command, a wall in the way, and
+/// readings between the steps.
 fn drive() -> Session {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../worlds/office.world.json");
-    let mut office = world::read(&fs::read_to_string(file).unwrap(), file).unwrap();
-    office.people = vec![Person { path: vec![[6.5, 2.6], [8.5, 2.6]], speed: 0.6, radius: 0.25 }];
+    let office = world::read(&fs::read_to_string(file).unwrap(), file).unwrap();
     let source = Source::world(office, Robot::named("bad").unwrap());
     let mappers = MapperSetup::NAMES.iter().filter_map(|name| MapperSetup::named(name)).collect();
     let mut session = Session::drive(SessionRecord::new(source, mappers, 7)).unwrap();
@@ -37,12 +36,6 @@ fn drive() -> Session {
                 session.advance();
             }
         }
-    }
-    let door = WorldChange::Door { name: "office 2".to_owned(), open: false };
-    session.command(Command::Change(door));
-    session.command(Command::GoHome { strategy: Strategy::named("retrace").unwrap() });
-    for _ in 0..600 {
-        session.advance();
     }
     session
 }
@@ -65,7 +58,6 @@ fn one_session_gives_the_same_bytes_everywhere() {
     let mut session = Session::drive(record).unwrap();
     session.jump(session.end());
     assert!(session.mappers()[0].mfis().surfaces().len() > 50, "the drive has something to compare");
-    assert!(session.journal().decisions.len() > 2, "so has the way home");
     assert_eq!(map_digests(&session), fs::read_to_string(golden("same-bytes.txt")).unwrap());
 }
 

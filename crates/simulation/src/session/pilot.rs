@@ -7,8 +7,10 @@ use crate::{Command, Strategy};
 
 /// A step that comes to rest and looks, and nothing else.
 const LOOK: Command = Command::Step { turn: 0.0, travel: 0.0 };
-/// A step that is smaller than this, in metres and radians, is none: the robot waits …
+/// A step that is smaller than this, in metres and radians, is none.
 const NOTHING: f64 = 1e-3;
+/// A robot that goes nowhere and turns by less than this, in radians, is held up: it waits …
+const HELD_UP: f64 = 0.08;
 /// … for so many ticks, half a second, before it looks again.
 const WAIT: u64 = 25;
 /// A run home has so many decisions …
@@ -75,9 +77,10 @@ impl Pilot {
         let decision = self.decide(guide, drive);
         self.decisions += 1;
         if let Act::Step { turn, travel } = decision.act {
-            if turn.abs() < NOTHING && travel.abs() < NOTHING {
+            if travel.abs() < NOTHING && turn.abs() < HELD_UP {
                 self.look_at = Some(drive.tick() + WAIT);
-            } else {
+            }
+            if travel.abs() >= NOTHING || turn.abs() >= NOTHING {
                 drive.obey(&Command::Step { turn, travel });
             }
         }
