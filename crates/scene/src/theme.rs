@@ -103,10 +103,7 @@ impl Theme {
             }
             Role::Door => Style::line(solid(palette.door), (pixels_per_metre * 0.05).clamp(1.5, 3.0)),
             Role::DoorSwing => Style::line(solid(palette.door).with_alpha(96), 1.0),
-            Role::Person => Style {
-                sign: Sign::Dot(5.0),
-                ..Style::area(solid(palette.person).with_alpha(110), Some((solid(palette.person), 2.0)))
-            },
+            Role::Person => Style::points(solid(palette.person), Sign::Dot(5.0)),
             Role::TruePath => Style::line(solid(palette.robot).with_alpha(170), 1.5),
             Role::Robot => Style::area(solid(palette.robot), Some((solid(palette.room), 1.5))),
             Role::LaserFan => Style::area(solid(palette.laser).with_alpha(28), None),
