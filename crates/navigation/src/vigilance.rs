@@ -255,7 +255,7 @@ mod tests {
     fn a_fast_robot_brakes_for_what_a_slow_one_need_not_mind_yet() {
         let clear = |dt: f64| {
             let mut vigilance = Vigilance::new(&VigilanceParams::default());
-            vigilance.observe(&reading(0.0, 0.0, None));
+            vigilance.observe(&reading(0.0, 0.0, Some(0.65)));
             vigilance.observe(&reading(dt, 0.1, Some(0.65)));
             vigilance.is_clear()
         };
