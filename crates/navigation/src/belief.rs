@@ -68,7 +68,7 @@ impl Atlas {
             let [left, opened] = [guess.left, guess.opened].map(|frame| self.here_from(frame));
             match (left, opened) {
                 (None, Some(opened)) => {
-                    self.add(mapper, guess.left, opened * guess.left_from_opened.inverse())
+                    self.add(mapper, guess.left, opened * guess.left_from_opened.inverse());
                 }
                 (Some(left), None) => self.add(mapper, guess.opened, left * guess.left_from_opened),
                 _ => {}

@@ -138,6 +138,9 @@ impl Homing {
         if turn.abs() > self.params.look {
             return Act::Step { turn, travel: 0.0 };
         }
+        if self.vigilance.somebody_passes() {
+            return Act::Step { turn: 0.0, travel: 0.0 };
+        }
         let wanted = ahead.length().min(self.params.step_max);
         Act::Step { turn, travel: self.vigilance.free_way(turn, wanted) }
     }

@@ -1,7 +1,7 @@
 use std::collections::VecDeque;
 
 use cogmap_geometry::{DVec2, Pose, trig};
-use cogmap_mapping::perception::Reading;
+use cogmap_mapping::perception::{Reading, Scan};
 use serde::{Deserialize, Serialize};
 
 /// What [`Vigilance`] goes by.
@@ -21,13 +21,28 @@ pub struct VigilanceParams {
     pub gap: f64,
     /// How hard the robot can brake, metres per second squared.
     pub braking: f64,
-    /// Something that the last scan sees past by so much has gone away, metres.
+    /// Something that the last scan sees past by so much has gone away, metres; something that stands where
+    /// an earlier one saw past by so much has come there by itself.
     pub gone: f64,
+    /// Nobody comes nearer faster than this, metres per second; people stop for a robot that stands.
+    pub walking: f64,
+    /// Whoever moves nearer than this is let pass, metres.
+    pub polite: f64,
 }
 
 impl Default for VigilanceParams {
     fn default() -> Self {
-        Self { half_width: 0.26, astray: 0.05, scans: 24, reach: 1.0, gap: 0.05, braking: 0.8, gone: 0.25 }
+        Self {
+            half_width: 0.26,
+            astray: 0.05,
+            scans: 24,
+            reach: 1.0,
+            gap: 0.05,
+            braking: 0.8,
+            gone: 0.25,
+            walking: 1.2,
+            polite: 1.0,
+        }
     }
 }
 
@@ -42,7 +57,13 @@ pub struct Vigilance {
     sights: VecDeque<Sight>,
     /// Metres per second between the last two scans.
     speed: f64,
+    /// A scan of a moment ago, to tell what has moved since, and the metres to the nearest thing that has.
+    before: VecDeque<Reading>,
+    moving: Option<f64>,
 }
+
+/// How long before a scan that it is compared with was taken, seconds.
+const MOMENT: f64 = 0.2;
 
 /// The points of a scan, in the odometry's frame; over so short a way odometry does not drift.
 #[derive(Clone, Debug)]
@@ -56,7 +77,13 @@ impl Vigilance {
     /// A watch that has seen nothing yet.
     #[must_use]
     pub fn new(params: &VigilanceParams) -> Self {
-        Self { params: params.clone(), sights: VecDeque::new(), speed: 0.0 }
+        Self {
+            params: params.clone(),
+            sights: VecDeque::new(),
+            speed: 0.0,
+            before: VecDeque::new(),
+            moving: None,
+        }
     }
 
     /// Takes a scan in.
@@ -71,6 +98,11 @@ impl Vigilance {
             .retain(|sight| sight.odom_from_robot.position.distance(here.position) <= self.params.reach);
         for sight in &mut self.sights {
             sight.forget_what_is_gone(odom_from_laser, reading, self.params.gone);
+        }
+        self.moving = self.nearest_moving(reading);
+        self.before.push_back(reading.clone());
+        while self.before.get(1).is_some_and(|later| later.t <= reading.t - MOMENT) {
+            self.before.pop_front();
         }
         let points = (0..reading.scan.ranges.len())
             .filter_map(|beam| reading.scan.point(beam))
@@ -106,9 +138,34 @@ impl Vigilance {
         free.max(0.0)
     }
 
-    /// Whether nothing has come so near ahead that the robot should brake; at rest nothing has.
+    /// Metres to the nearest thing that stands where a scan of a moment ago saw free floor.
+    fn nearest_moving(&self, reading: &Reading) -> Option<f64> {
+        let before = self.before.iter().rev().find(|before| before.t <= reading.t - 0.5 * MOMENT)?;
+        let odom_from_laser = |reading: &Reading| reading.odom_from_robot * reading.scan.robot_from_laser;
+        let before_from_laser = odom_from_laser(before).from_here(odom_from_laser(reading));
+        let moved = |beam: &usize| {
+            let point = reading.scan.point(*beam).filter(|point| point.length() < NEAR);
+            point.is_some_and(|point| sees_past(&before.scan, before_from_laser * point, self.params.gone))
+        };
+        let moving: Vec<usize> = (0..reading.scan.ranges.len()).filter(moved).collect();
+        let pairs = moving.windows(2).filter(|pair| pair[1] == pair[0] + 1);
+        pairs.filter_map(|pair| reading.scan.range(pair[0])).reduce(f64::min)
+    }
+
+    /// Whether somebody moves so near that the robot had better let him pass.
+    #[must_use]
+    pub fn somebody_passes(&self) -> bool {
+        self.moving.is_some_and(|distance| distance < self.params.polite + self.params.half_width)
+    }
+
+    /// Whether nothing has come so near that the robot should brake; at rest nothing has.
     #[must_use]
     pub fn is_clear(&self) -> bool {
+        let VigilanceParams { braking, walking, half_width, .. } = self.params;
+        let comes = self.speed * 0.5 + walking * (self.speed / braking + MOMENT) + half_width;
+        if self.speed > 0.05 && self.moving.is_some_and(|distance| distance < comes) {
+            return false;
+        }
         let brakes = self.speed * self.speed / (2.0 * self.params.braking);
         self.speed <= 0.05 || self.free_way(0.0, brakes) >= brakes - self.params.gap
     }
@@ -122,23 +179,26 @@ impl Sight {
         let (x, y) = (laser_from_odom.rotate(DVec2::X), laser_from_odom.rotate(DVec2::Y));
         self.points.retain(|&point| {
             let seen = origin + x * point.x + y * point.y;
-            let range = seen.length();
-            if range > NEAR {
-                return true;
-            }
-            let beam = (trig::atan2(seen.y, seen.x) - scan.angle_min) / scan.angle_increment;
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a float saturates")]
-            let beam = (beam.round() + 0.5).max(0.0) as usize;
-            let past = |beam: usize| scan.range(beam).is_some_and(|seen| seen > range + gone);
-            let sides = beam.checked_sub(1).is_some_and(past) && past(beam + 1);
-            !(sides && past(beam))
+            seen.length() > NEAR || !sees_past(scan, seen, gone)
         });
     }
 }
 
+/// Whether a scan sees past a point in its laser's frame by so much, on both sides too.
+fn sees_past(scan: &Scan, point: DVec2, by: f64) -> bool {
+    let beam = (trig::atan2(point.y, point.x) - scan.angle_min) / scan.angle_increment;
+    if beam < 1.0 {
+        return false;
+    }
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is positive")]
+    let beam = beam.round() as usize;
+    let past = |beam: usize| scan.range(beam).is_some_and(|seen| seen > point.length() + by);
+    past(beam - 1) && past(beam) && past(beam + 1)
+}
+
 #[cfg(test)]
 mod tests {
-    use cogmap_mapping::perception::{Moment, Scan};
+    use cogmap_mapping::perception::Moment;
 
     use super::*;
 
@@ -179,10 +239,23 @@ mod tests {
     }
 
     #[test]
+    fn whoever_walks_into_the_way_is_let_pass_and_a_wall_is_nobody() {
+        let mut vigilance = Vigilance::new(&VigilanceParams::default());
+        vigilance.observe(&reading(0.0, 0.0, None));
+        vigilance.observe(&reading(0.5, 0.0, None));
+        assert!(!vigilance.somebody_passes());
+        vigilance.observe(&reading(1.0, 0.0, Some(1.0)));
+        assert!(vigilance.somebody_passes());
+        vigilance.observe(&reading(1.5, 0.0, Some(1.0)));
+        vigilance.observe(&reading(2.0, 0.0, Some(1.0)));
+        assert!(!vigilance.somebody_passes(), "he stands now");
+    }
+
+    #[test]
     fn a_fast_robot_brakes_for_what_a_slow_one_need_not_mind_yet() {
         let clear = |dt: f64| {
             let mut vigilance = Vigilance::new(&VigilanceParams::default());
-            vigilance.observe(&reading(0.0, 0.0, None));
+            vigilance.observe(&reading(0.0, 0.0, Some(0.65)));
             vigilance.observe(&reading(dt, 0.1, Some(0.65)));
             vigilance.is_clear()
         };

@@ -11,6 +11,8 @@ const OCCUPIED: i8 = 2;
 const MOST: i8 = 5;
 /// How often a place is seen free on the whole before a remembered wall there is given up.
 const LOOKED_THROUGH: i8 = -3;
+/// The sine of the angle up to which a beam grazes a wall: 20°.
+const GRAZING: f64 = 0.34;
 /// Occupied cells within this many of a cell are counted there: 0.4 m.
 pub(super) const CROWD: i32 = 4;
 /// Seen again after so many decisions, something counts as met again.
@@ -32,6 +34,8 @@ pub(super) struct Spot {
     scan: u16,
     /// Where in the cell something stands, from its middle, in shares of [`FINE`].
     at: [i8; 2],
+    /// Along which the wall there runs, as a unit vector in shares of 127.
+    along: [i8; 2],
 }
 
 /// What stands in a cell is known to lie at its middle and so many steps of a millimetre.
@@ -70,6 +74,18 @@ impl Spot {
     /// Where in the cell something stands, from its middle, metres.
     pub(super) fn at(self) -> DVec2 {
         DVec2::new(f64::from(self.at[0]), f64::from(self.at[1])) * FINE
+    }
+
+    /// Whether a beam in that direction would have met what stands there: one along a wall tells nothing of it.
+    fn is_crossed_by(self, beam: DVec2) -> bool {
+        let along = DVec2::new(f64::from(self.along[0]), f64::from(self.along[1])) / 127.0;
+        self.marks & WALL == 0 || along.perp_dot(beam).abs() > GRAZING
+    }
+
+    #[allow(clippy::cast_possible_truncation, reason = "a share of 127 fits")]
+    fn runs_along(&mut self, wall: Segment) {
+        let along = wall.direction().unwrap_or_default() * 127.0;
+        self.along = [along.x as i8, along.y as i8];
     }
 
     #[allow(clippy::cast_possible_truncation, reason = "a cell is 100 mm wide")]
@@ -123,7 +139,7 @@ impl Floor {
             let along = beam / length.max(1e-9);
             let mut way = 0.5 * CELL;
             while way < length - SHORT {
-                self.pass(Cell::at(laser + along * way));
+                self.pass(Cell::at(laser + along * way), along);
                 way += CELL;
             }
         }
@@ -157,10 +173,10 @@ impl Floor {
         });
     }
 
-    fn pass(&mut self, cell: Cell) {
+    fn pass(&mut self, cell: Cell, beam: DVec2) {
         let scan = self.scan;
         let spot = self.spots.get(cell);
-        if spot.scan == scan {
+        if spot.scan == scan || !spot.is_crossed_by(beam) {
             return;
         }
         self.change(cell, |spot| {
@@ -182,6 +198,7 @@ impl Floor {
             }
             if spot.evidence > LOOKED_THROUGH && !spot.is_travelled() {
                 spot.marks |= WALL;
+                spot.runs_along(wall);
             }
         });
     }
@@ -239,3 +256,6 @@ impl Floor {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

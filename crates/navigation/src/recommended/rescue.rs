@@ -142,3 +142,29 @@ impl Rescue {
         Proposal::new(Wish::GiveUp, Mode::Planning, why)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_robot_that_does_not_come_on_calls_the_failsafe_and_one_that_does_is_handed_back() {
+        let params = RescueParams::default();
+        let (mut rescue, mut events) = (Rescue::new(&params, 10.0), Vec::new());
+        let leads: Vec<Lead> = (0..12).map(|_| rescue.lead(DVec2::ZERO, &mut events)).collect();
+        assert_eq!((leads[0], *leads.last().unwrap()), (Lead::Planning, Lead::OwnWay));
+        assert_eq!(rescue.lead(DVec2::new(2.0, 0.0), &mut events), Lead::Planning);
+        assert!(matches!(events[..], [HomingEvent::FailsafeOn { .. }, HomingEvent::FailsafeOff { .. }]));
+    }
+
+    #[test]
+    fn a_robot_that_has_gone_too_far_gives_up() {
+        let params = RescueParams { budget: 2.0, budget_base: 1.0, ..RescueParams::default() };
+        let mut rescue = Rescue::new(&params, 3.0);
+        for k in 0..9 {
+            assert_eq!(rescue.is_spent(), None, "{k}");
+            rescue.lead(DVec2::new(f64::from(k % 2), 0.0), &mut Vec::new());
+        }
+        assert!(rescue.is_spent().is_some());
+    }
+}

@@ -74,12 +74,23 @@ impl<'a> Search<'a> {
     /// must not flood the world: the search keeps to what was seen and a margin.
     pub(super) fn way(&mut self) -> Option<Vec<Cell>> {
         let near = self.way_within(MARGIN);
-        if near.as_ref().is_some_and(|way| way.iter().all(|&cell| self.ease(cell) < IN_A_WALL)) {
+        if near.as_ref().is_some_and(|way| self.leads_home(way)) {
             return near;
         }
         self.nodes = Tiles::default();
         self.expanded = 0;
         self.way_within(WIDE_MARGIN).or(near)
+    }
+
+    /// Whether a way ends at home and leads through no wall.
+    fn leads_home(&mut self, way: &[Cell]) -> bool {
+        let ends = way.last().is_some_and(|end| end.middle().distance(self.home) <= (REACHED + 1.0) * CELL);
+        ends && !way.windows(2).any(|pair| {
+            let (from, to) = (pair[0].middle(), pair[1].middle());
+            [0.0, 1.0 / 3.0, 2.0 / 3.0]
+                .iter()
+                .any(|&share| self.ease(Cell::at(from.lerp(to, share))) >= IN_A_WALL)
+        })
     }
 
     fn way_within(&mut self, margin: f64) -> Option<Vec<Cell>> {
@@ -258,3 +269,6 @@ impl<'a> Search<'a> {
         corners
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -80,15 +80,14 @@ impl<T: Copy + Default> Tiles<T> {
 
     /// Widens what can be kept so that a tile fits in.
     fn grow(&mut self, tile: [i32; 2]) -> usize {
-        let mut wider = Self::default();
-        for axis in 0..2 {
-            let [low, high] = match self.size[axis] {
-                0 => [tile[axis], tile[axis]],
-                size => [self.low[axis], self.low[axis] + size - 1],
-            };
-            wider.low[axis] = low.min(tile[axis] - 1);
-            wider.size[axis] = high.max(tile[axis] + 1) - wider.low[axis] + 1;
-        }
+        let span = |low: i32, size: i32, tile: i32| {
+            let [first, last] = if size == 0 { [tile; 2] } else { [low, low + size - 1] };
+            let low = first.min(tile - 1);
+            (low, last.max(tile + 1) - low + 1)
+        };
+        let (x, width) = span(self.low[0], self.size[0], tile[0]);
+        let (y, height) = span(self.low[1], self.size[1], tile[1]);
+        let mut wider = Self { low: [x, y], size: [width, height], tiles: Vec::new() };
         #[allow(clippy::cast_sign_loss, reason = "sizes are positive")]
         wider.tiles.resize((wider.size[0] * wider.size[1]) as usize, None);
         for y in 0..self.size[1] {
