@@ -188,8 +188,8 @@ const BAD_SESSIONS: &[Case<'_>] = &[
     (
         "{\"tick\": 9, \"do\": \"stop\"}",
         "{\"tick\": 9, \"do\": \"go_home\", \"strategy\": \"fly\"}",
-        "line 6, column 68, at `source.commands[1]",
-        "retrace, oracle",
+        "line 6, column 119, at `source.commands[1]",
+        "tangent-bug, oracle",
     ),
     (
         "{\"tick\": 9, \"do\": \"stop\"}",

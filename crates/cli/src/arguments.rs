@@ -70,8 +70,9 @@ pub(crate) struct RunArguments {
     /// At the end of the route let the robot find its way home alone; the first mapper's belief leads it
     #[arg(long)]
     pub(crate) go_home: bool,
-    /// How it finds home: recommended (ours), retrace (the way that it came), oracle (sees the
-    /// building; the yardstick) [default: recommended]
+    /// How it finds home: recommended (ours), faithful (the thesis to the letter), retrace (the way that it
+    /// came), tangent-bug (two distances and no map), oracle (sees the building; the yardstick)
+    /// [default: recommended]
     #[arg(long, value_name = "NAME", requires = "go_home",
         value_parser = PossibleValuesParser::new(Strategy::names()))]
     pub(crate) strategy: Option<String>,

@@ -154,7 +154,7 @@ impl Faithful {
             facing: self.turned.then(|| situation.belief.here_from_robot.forward()),
             watch: &|direction| {
                 let free = situation.free_toward(robot + direction * step);
-                (free < step).then_some(free)
+                (free < step - 1e-9).then_some(free)
             },
             barred: &|way| self.dead_ends.bar(way, situation.atlas),
         };

@@ -2,8 +2,9 @@
 //!
 //! The rooms of the strategy `faithful` follow the thesis: `options` and `direction` decide which way to go
 //! (§3.3.2), `recent` and `dead_ends` say what is still trusted and what was tried (§3.3.3), `route` and
-//! `failsafe` follow the known way (§3.3.4). One call after each scan, [`Homing::observe`], and one whenever the robot has come to rest, [`Homing::decide`], drive
-//! it all; a [`Decision`] says what to do next and why.
+//! `failsafe` follow the known way (§3.3.4). Ours is in `recommended`. One call after each scan,
+//! [`Homing::observe`], and one whenever the robot has come to rest, [`Homing::decide`], drive it all; a
+//! [`Decision`] says what to do next and why.
 //!
 //! The robot's belief comes from its [`Mapper`](cogmap_mapping::Mapper), which this crate reads and
 //! never writes. Nothing here does I/O, reads a clock, keeps global state or draws random numbers,

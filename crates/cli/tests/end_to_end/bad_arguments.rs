@@ -22,7 +22,7 @@ const CASES: [(&str, &str, &str); 65] = [
     ("run room.world.json --robot typo.robot.json", "typo.robot.json, line 1", "`laser`"),
     ("run room.world.json --robot blind.robot.json", "blind.robot.json", "beams"),
     ("run room.world.json --robot walk.log", "walk.log", "JSON"),
-    ("run room.world.json --go-home --strategy teleport", "'teleport'", "retrace, oracle]"),
+    ("run room.world.json --go-home --strategy teleport", "'teleport'", "retrace, tangent-bug, oracle]"),
     ("run room.world.json --strategy retrace", "--go-home", "Usage: cogmap run"),
     ("run room.world.json --go-home --strategy", "--strategy", "a value is required"),
     ("run room.world.json --route tour", "no route `tour`", "across, back"),
