@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use super::{ExitId, Now, Places};
 use crate::{
     memory::FrameId,
-    perception::{End, View},
+    perception::{End, Surface, View},
 };
 
 /// Which gaps of a view may be exits (`recommended`, ours; the thesis finds exits after crossing only).
@@ -15,6 +15,9 @@ pub struct Gaps {
     pub min_width: f64,
     /// Wider ones neither, metres.
     pub max_width: f64,
+    /// A wall that is seen through a gap and reaches no farther behind it closes it: a niche, not a door;
+    /// the robot would find no room there, metres.
+    pub min_depth: f64,
     /// Gaps farther off than this are not looked at, metres.
     pub range: f64,
     /// Two gaps are one when their middles lie so near to each other, metres.
@@ -23,7 +26,7 @@ pub struct Gaps {
 
 impl Default for Gaps {
     fn default() -> Self {
-        Self { min_width: 0.6, max_width: 1.5, range: 5.0, same: 0.5 }
+        Self { min_width: 0.6, max_width: 1.5, min_depth: 0.5, range: 5.0, same: 0.5 }
     }
 }
 
@@ -60,7 +63,11 @@ fn gaps_of(view: &View, debris: f64, params: &Gaps) -> Vec<Segment> {
             let gap = Segment::new(other.segment.a, wall.segment.b);
             let fits = (params.min_width..=params.max_width).contains(&gap.length())
                 && gap.midpoint().norm() <= params.range;
-            let behind = surfaces[right + 1..left].iter().all(|seen| is_beyond(gap, seen.segment));
+            let is_room = |seen: &Surface| {
+                seen.length() < debris || reach_beyond(gap, seen.segment) >= params.min_depth
+            };
+            let behind =
+                surfaces[right + 1..left].iter().all(|seen| is_beyond(gap, seen.segment) && is_room(seen));
             let flush = turned_little(gap, wall.segment) || turned_little(gap, other.segment);
             if fits && behind && flush && other.length() >= debris && other.ends[0] == End::True {
                 gaps.push(gap);
@@ -75,6 +82,12 @@ fn gaps_of(view: &View, debris: f64, params: &Gaps) -> Vec<Segment> {
 fn is_beyond(gap: Segment, surface: Segment) -> bool {
     let side = |point: DVec2| gap.offset_of(point).unwrap_or(0.0);
     side(surface.midpoint()) * side(DVec2::ZERO) < 0.0
+}
+
+/// How far behind a gap a surface reaches, metres.
+fn reach_beyond(gap: Segment, surface: Segment) -> f64 {
+    let depth = |point: DVec2| gap.offset_of(point).unwrap_or(0.0).abs();
+    depth(surface.a).max(depth(surface.b))
 }
 
 fn turned_little(gap: Segment, wall: Segment) -> bool {
@@ -115,5 +128,37 @@ impl Places {
             .filter(|(_, distance)| *distance <= self.params.gaps.same)
             .min_by(|a, b| a.1.total_cmp(&b.1))
             .map(|(index, _)| index)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A wall ahead of the robot with an opening in it, and a wall so far behind the opening.
+    fn wall_with_opening(depth: f64) -> View {
+        let surface = |a: [f64; 2], b: [f64; 2]| Surface {
+            segment: Segment::new(a.into(), b.into()),
+            ends: [End::True; 2],
+            beams: [0, 0],
+            points: 20,
+            residual: 0.0,
+            range: 2.0,
+            incidence: 0.0,
+            label: None,
+        };
+        let behind = 2.0 + depth;
+        let walls = [
+            surface([2.0, -2.0], [2.0, -0.45]),
+            surface([behind, -0.45], [behind, 0.45]),
+            surface([2.0, 0.45], [2.0, 2.0]),
+        ];
+        View { surfaces: walls.to_vec() }
+    }
+
+    #[test]
+    fn a_door_is_supposed_where_there_is_room_behind_and_not_in_a_niche() {
+        let gaps = |depth| gaps_of(&wall_with_opening(depth), 0.4, &Gaps::default()).len();
+        assert_eq!((gaps(3.0), gaps(0.12)), (1, 0));
     }
 }

@@ -6,7 +6,7 @@ use crate::{
     strategy::{Proposal, Situation, Wish},
 };
 
-/// When [`Rescue`] takes over, and when the robot gives up.
+/// When the fail-safe takes over, and when the robot gives up.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct RescueParams {
