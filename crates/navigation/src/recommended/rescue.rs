@@ -21,6 +21,8 @@ pub struct RescueParams {
     pub calls: usize,
     /// So often the robot looks aside, by a right angle each time, before it believes that there is no way.
     pub looks: usize,
+    /// So often it distrusts what it remembers because that leaves no way, before it gives up.
+    pub distrusts: usize,
     /// So often it hopes in vain that a wall which it saw long ago is gone, before it believes in all of them.
     pub hopes: usize,
     /// The robot gives up after so many times the length of its way out …
@@ -37,6 +39,7 @@ impl Default for RescueParams {
             rescued: 1.5,
             calls: 8,
             looks: 4,
+            distrusts: 2,
             hopes: 4,
             budget: 8.0,
             budget_base: 60.0,
@@ -65,6 +68,7 @@ pub(super) struct Rescue {
     called: Option<DVec2>,
     calls: usize,
     looks: usize,
+    distrusts: usize,
     /// Whether the robot hopes that a wall is gone, and how often it did so in vain.
     hoping: bool,
     dashed: usize,
@@ -93,6 +97,7 @@ impl Rescue {
             called: None,
             calls: 0,
             looks: 0,
+            distrusts: 0,
             hoping: false,
             dashed: 0,
             last: None,
@@ -166,11 +171,12 @@ impl Rescue {
         self.looks += 1;
         let mode = self.lead.mode();
         if self.looks > self.params.looks {
-            if self.lead == Lead::OwnWay {
+            if self.lead == Lead::OwnWay || self.distrusts >= self.params.distrusts {
                 let why = "every way home that the robot knows or can think of is closed".to_owned();
                 return Proposal::new(Wish::GiveUp, mode, why);
             }
             self.looks = 1;
+            self.distrusts += 1;
             let floor = self.last.unwrap_or_default();
             self.call(
                 floor,
@@ -207,5 +213,17 @@ mod tests {
             rescue.lead(DVec2::new(f64::from(k % 2), 0.0), &mut Vec::new());
         }
         assert!(rescue.is_spent().is_some());
+    }
+
+    #[test]
+    fn hopes_that_were_in_vain_too_often_make_every_wall_stand() {
+        let params = RescueParams { hopes: 2, ..RescueParams::default() };
+        let mut rescue = Rescue::new(&params, 10.0);
+        for hoping in [true, false, true] {
+            assert_eq!(rescue.trust(), Trust::Memory);
+            rescue.settle(hoping);
+            rescue.closed();
+        }
+        assert_eq!(rescue.trust(), Trust::Everything);
     }
 }
