@@ -19,8 +19,8 @@ use crate::{
     Anchored, Atlas, Belief, HomingEvent, steering,
     strategy::{Proposal, Situation, Wish},
 };
+use footing::Ease;
 pub use footing::Footing;
-use footing::{Ease, Trust};
 use ground::Ground;
 pub use rescue::RescueParams;
 use rescue::{Lead, Rescue};
@@ -144,9 +144,9 @@ impl Recommended {
         if let Some(why) = self.rescue.is_spent() {
             return Proposal::new(Wish::GiveUp, lead.mode(), why);
         }
-        let proposal = match self.choose(&scene, lead) {
+        let proposal = match self.choose(&scene) {
             Some(choice) => self.go(situation, &scene, (lead, choice), &mut events),
-            None => self.rescue.no_way(situation),
+            None => self.rescue.no_way(situation, &mut events),
         };
         Proposal { events, ..proposal }
     }
@@ -159,11 +159,11 @@ impl Recommended {
     }
 
     /// The cheapest way home, or the one that the robot has in mind where that is hardly dearer.
-    fn choose(&mut self, scene: &Scene, lead: Lead) -> Option<Choice> {
+    fn choose(&mut self, scene: &Scene) -> Option<Choice> {
         let ease = Ease {
             floor: self.ground.floor(),
             footing: &self.params.footing,
-            trust: if lead == Lead::OwnWay { Trust::OwnWay } else { Trust::Memory },
+            trust: self.rescue.trust(),
             robot: Cell::at(scene.robot),
             moment: self.moment,
         };
@@ -171,10 +171,13 @@ impl Recommended {
         let had_one = !self.way.is_empty();
         let kept = search.pull_tight(scene.robot, &self.way);
         let before = if had_one { search.cost(scene.robot, &kept) } else { None };
+        if had_one && before.is_none() {
+            self.rescue.closed();
+        }
         let as_good = before.is_some_and(|cost| cost <= self.expected + RISE);
         self.since_search = if as_good { self.since_search + 1 } else { 0 };
         let content = as_good && !self.since_search.is_multiple_of(self.params.look_for_better);
-        let found = if content { None } else { search.way() }.and_then(|cells| {
+        let found = if content { None } else { search.way(before.is_none()) }.and_then(|cells| {
             let mut points: Vec<DVec2> = cells.into_iter().skip(1).map(Cell::middle).collect();
             if points.is_empty() {
                 points.push(scene.robot);
@@ -192,7 +195,11 @@ impl Recommended {
         let survey = Survey::of(&ease, scene.robot, &way.corners);
         self.way.clone_from(&way.corners);
         self.expected = way.cost;
-        (survey.barrier < self.params.closed).then_some(Choice { way, survey, before, had_one, switched })
+        if survey.barrier > self.params.closed {
+            self.way.clear();
+            return None;
+        }
+        Some(Choice { way, survey, before, had_one, switched })
     }
 
     /// Goes along the chosen way.
@@ -214,7 +221,7 @@ impl Recommended {
             let end = corners.last().copied().unwrap_or_default().into();
             events.push(HomingEvent::OptionChosen { end, options: 2, why: why.clone() });
         }
-        self.rescue.settle();
+        self.rescue.settle(choice.survey.barrier > 0);
         let mode = lead.mode();
         let near = choice.way.corners.last().is_none_or(|last| last.distance(scene.robot) < 0.15);
         if near && scene.robot.distance(scene.home) <= search::NEAR_HOME {

@@ -54,6 +54,8 @@ impl Default for Footing {
 pub(super) enum Trust {
     /// All of it, each thing as the parameters say.
     Memory,
+    /// All of it, however old: walls that were believed gone have turned out to stand too often.
+    Everything,
     /// What the last scans found, and the way that the robot itself has gone (§3.3.4).
     OwnWay,
 }
@@ -84,7 +86,9 @@ impl Ease<'_> {
         if spot.crowd() == 0 {
             return (10.0 * base) as u16;
         }
-        let (nearest, barrier) = self.around(cell);
+        let (nearest, firmness) = self.around(cell);
+        let firmness = f64::from(firmness);
+        let barrier = self.footing.barrier * firmness * firmness;
         let keep = if spot.is_travelled() { self.footing.hard_travelled } else { self.footing.hard };
         let cost = if nearest < keep {
             if !self.within_leeway(cell) {
@@ -99,11 +103,17 @@ impl Ease<'_> {
         ((10.0 * (cost + barrier)) as u16).min(NO_WAY - 1)
     }
 
+    /// How firm the wall of long ago that stands in the way at a cell is: 0 where there is none, else one more
+    /// than it was met.
+    pub(super) fn barrier(&self, cell: Cell) -> u8 {
+        if self.floor.spot(cell).crowd() == 0 { 0 } else { self.around(cell).1 }
+    }
+
     fn base(&self, spot: Spot) -> f64 {
         match self.trust {
             _ if spot.is_travelled() => 1.0,
-            Trust::Memory if spot.is_known_free() => 1.0,
-            Trust::Memory => self.footing.unknown,
+            Trust::Memory | Trust::Everything if spot.is_known_free() => 1.0,
+            Trust::Memory | Trust::Everything => self.footing.unknown,
             Trust::OwnWay => OFF_THE_WAY,
         }
     }
@@ -113,9 +123,9 @@ impl Ease<'_> {
         f64::from(cell.distance_squared(self.robot)) <= leeway * leeway
     }
 
-    /// Metres to the nearest thing that is trusted, and what the others cost.
-    fn around(&self, cell: Cell) -> (f64, f64) {
-        let (mut nearest, mut barrier) = (f64::INFINITY, 0.0_f64);
+    /// Metres to the nearest thing that is trusted, and how firm the firmest of the others is.
+    fn around(&self, cell: Cell) -> (f64, u8) {
+        let (mut nearest, mut firmness) = (f64::INFINITY, 0);
         let middle = cell.middle();
         for dy in -CROWD..=CROWD {
             for dx in -CROWD..=CROWD {
@@ -131,18 +141,18 @@ impl Ease<'_> {
                 if self.is_trusted(at, spot) {
                     nearest = nearest.min(distance);
                 } else if self.trust == Trust::Memory && distance < self.footing.hard * self.footing.hard {
-                    let times = 1.0 + f64::from(spot.visits());
-                    barrier = barrier.max(self.footing.barrier * times * times);
+                    firmness = firmness.max(spot.visits().saturating_add(1));
                 }
             }
         }
-        (nearest.sqrt(), barrier)
+        (nearest.sqrt(), firmness)
     }
 
     fn is_trusted(&self, at: Cell, spot: Spot) -> bool {
         let age = self.moment.wrapping_sub(spot.met());
         match self.trust {
             Trust::OwnWay => spot.is_found() && age <= LAST,
+            Trust::Everything => true,
             Trust::Memory => {
                 let near = self.footing.near / CELL;
                 (spot.is_found() && age <= self.footing.recent)

@@ -1,6 +1,7 @@
 use cogmap_geometry::{DVec2, trig};
 use serde::{Deserialize, Serialize};
 
+use super::footing::Trust;
 use crate::{
     HomingEvent, Mode,
     strategy::{Proposal, Situation, Wish},
@@ -18,8 +19,12 @@ pub struct RescueParams {
     pub rescued: f64,
     /// So often it may be called before the robot gives up.
     pub calls: usize,
-    /// So often the robot looks around before it believes that there is no way.
+    /// So often the robot looks aside, by a right angle each time, before it believes that there is no way.
     pub looks: usize,
+    /// So often it distrusts what it remembers because that leaves no way, before it gives up.
+    pub distrusts: usize,
+    /// So often it hopes in vain that a wall which it saw long ago is gone, before it believes in all of them.
+    pub hopes: usize,
     /// The robot gives up after so many times the length of its way out …
     pub budget: f64,
     /// … and so many metres.
@@ -28,7 +33,17 @@ pub struct RescueParams {
 
 impl Default for RescueParams {
     fn default() -> Self {
-        Self { progress: 0.4, patience: 10, rescued: 1.5, calls: 8, looks: 4, budget: 8.0, budget_base: 60.0 }
+        Self {
+            progress: 0.4,
+            patience: 10,
+            rescued: 1.5,
+            calls: 8,
+            looks: 4,
+            distrusts: 2,
+            hopes: 4,
+            budget: 8.0,
+            budget_base: 60.0,
+        }
     }
 }
 
@@ -53,6 +68,10 @@ pub(super) struct Rescue {
     called: Option<DVec2>,
     calls: usize,
     looks: usize,
+    distrusts: usize,
+    /// Whether the robot hopes that a wall is gone, and how often it did so in vain.
+    hoping: bool,
+    dashed: usize,
     last: Option<DVec2>,
     /// Metres that the robot may still go.
     left: f64,
@@ -78,6 +97,9 @@ impl Rescue {
             called: None,
             calls: 0,
             looks: 0,
+            distrusts: 0,
+            hoping: false,
+            dashed: 0,
             last: None,
             left: params.budget * way_out + params.budget_base,
         }
@@ -124,22 +146,47 @@ impl Rescue {
         (self.left < 0.0).then(|| "the robot has gone many times its way out without coming home".to_owned())
     }
 
-    /// A way was found.
-    pub(super) fn settle(&mut self) {
+    /// A way was found, which leads through a wall of long ago or not.
+    pub(super) fn settle(&mut self, hoping: bool) {
         self.looks = 0;
+        self.hoping = hoping;
     }
 
-    /// Looks around once more where there is no way; then gives up.
-    pub(super) fn no_way(&mut self, situation: &Situation) -> Proposal {
-        self.looks += 1;
-        if self.looks <= self.params.looks {
-            let why =
-                "every way that the robot knows or can think of seems closed: it looks around".to_owned();
-            let bearing = situation.belief.here_from_robot.heading + trig::FRAC_PI_2;
-            return Proposal::new(Wish::Face(bearing), Mode::Planning, why);
+    /// The way that the robot had in mind turned out closed.
+    pub(super) fn closed(&mut self) {
+        self.dashed += usize::from(std::mem::take(&mut self.hoping));
+    }
+
+    /// Which part of the memory the robot goes by.
+    pub(super) fn trust(&self) -> Trust {
+        match self.lead {
+            Lead::OwnWay => Trust::OwnWay,
+            Lead::Planning if self.dashed >= self.params.hopes => Trust::Everything,
+            Lead::Planning => Trust::Memory,
         }
-        let why = "every way home that the robot knows or can think of is closed".to_owned();
-        Proposal::new(Wish::GiveUp, Mode::Planning, why)
+    }
+
+    /// Looks around where there is no way; then distrusts what it remembers, looks around again, and gives up.
+    pub(super) fn no_way(&mut self, situation: &Situation, events: &mut Vec<HomingEvent>) -> Proposal {
+        self.looks += 1;
+        let mode = self.lead.mode();
+        if self.looks > self.params.looks {
+            if self.lead == Lead::OwnWay || self.distrusts >= self.params.distrusts {
+                let why = "every way home that the robot knows or can think of is closed".to_owned();
+                return Proposal::new(Wish::GiveUp, mode, why);
+            }
+            self.looks = 1;
+            self.distrusts += 1;
+            let floor = self.last.unwrap_or_default();
+            self.call(
+                floor,
+                "what the robot remembers leaves no way: it trusts its eyes alone".to_owned(),
+                events,
+            );
+        }
+        let why = "every way that the robot knows or can think of seems closed: it looks around".to_owned();
+        let bearing = situation.belief.here_from_robot.heading + trig::FRAC_PI_2;
+        Proposal::new(Wish::Face(bearing), mode, why)
     }
 }
 
@@ -166,5 +213,17 @@ mod tests {
             rescue.lead(DVec2::new(f64::from(k % 2), 0.0), &mut Vec::new());
         }
         assert!(rescue.is_spent().is_some());
+    }
+
+    #[test]
+    fn hopes_that_were_in_vain_too_often_make_every_wall_stand() {
+        let params = RescueParams { hopes: 2, ..RescueParams::default() };
+        let mut rescue = Rescue::new(&params, 10.0);
+        for hoping in [true, false, true] {
+            assert_eq!(rescue.trust(), Trust::Memory);
+            rescue.settle(hoping);
+            rescue.closed();
+        }
+        assert_eq!(rescue.trust(), Trust::Everything);
     }
 }

@@ -20,7 +20,7 @@ pub(super) const NEAR_HOME: f64 = 1.2;
 /// … each metre that is missing costing so much.
 const SHORT_OF_HOME: f64 = 60.0;
 /// No way is looked for beyond so many cells.
-const PATIENCE: usize = 40_000;
+const PATIENCE: usize = 20_000;
 /// How far around what was seen a way may lead, metres, …
 const MARGIN: f64 = 3.0;
 /// … and where all ways within that are closed.
@@ -42,6 +42,8 @@ pub(super) struct Search<'a> {
     ease: Ease<'a>,
     home: DVec2,
     nodes: Tiles<Node>,
+    /// What a metre costs at a cell, in tenths; 0: not asked yet.
+    eases: Tiles<u16>,
     bounds: [Cell; 2],
     expanded: usize,
 }
@@ -50,8 +52,6 @@ pub(super) struct Search<'a> {
 struct Node {
     /// The least cost known so far, in tenths of a millimetre of free floor; 0: not reached yet.
     cost: u32,
-    /// What a metre there costs, in tenths; 0: not asked yet.
-    ease: u16,
     /// The way that led there, and from how many cells away.
     way: u8,
     step: u8,
@@ -67,14 +67,22 @@ type Open = Reverse<(u32, u32, Cell, bool)>;
 impl<'a> Search<'a> {
     /// A search on what one decision makes of the floor, for a way to a point, metres.
     pub(super) fn new(ease: Ease<'a>, home: DVec2) -> Self {
-        Self { ease, home, nodes: Tiles::default(), bounds: [ease.robot; 2], expanded: 0 }
+        Self {
+            ease,
+            home,
+            nodes: Tiles::default(),
+            eases: Tiles::default(),
+            bounds: [ease.robot; 2],
+            expanded: 0,
+        }
     }
 
     /// The cheapest way from where the robot is; `None` where there is none. A home that is closed in
-    /// must not flood the world: the search keeps to what was seen and a margin.
-    pub(super) fn way(&mut self) -> Option<Vec<Cell>> {
+    /// must not flood the world: the search keeps to what was seen and a margin, which is `wide` only
+    /// where all ways within the usual one are closed.
+    pub(super) fn way(&mut self, wide: bool) -> Option<Vec<Cell>> {
         let near = self.way_within(MARGIN);
-        if near.as_ref().is_some_and(|way| self.leads_home(way)) {
+        if !wide || near.as_ref().is_some_and(|way| self.leads_home(way)) {
             return near;
         }
         self.nodes = Tiles::default();
@@ -137,7 +145,7 @@ impl<'a> Search<'a> {
             if node.cost == 0 || cost < node.cost {
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 or 3")]
                 let step = step as u8;
-                *node = Node { cost, way, step, ..*node };
+                *node = Node { cost, way, step };
                 open.push(Reverse((cost.saturating_add(self.ahead(to)), cost, to, false)));
             }
         }
@@ -175,12 +183,12 @@ impl<'a> Search<'a> {
 
     /// What a metre costs at a cell, in tenths.
     fn ease(&mut self, cell: Cell) -> u16 {
-        let known = self.nodes.get(cell).ease;
+        let known = self.eases.get(cell);
         if known != 0 {
             return known;
         }
         let ease = self.ease.cost(cell);
-        self.nodes.get_mut(cell).ease = ease;
+        *self.eases.get_mut(cell) = ease;
         ease
     }
 

@@ -12,7 +12,7 @@ pub(super) struct Survey {
     pub(super) length: f64,
     /// Metres through what was never seen.
     pub(super) unseen: f64,
-    /// How often the firmest wall on it was met: 0 where there is none.
+    /// How firm the firmest wall on it is: 0 where there is none, else one more than it was met.
     pub(super) barrier: u8,
 }
 
@@ -25,14 +25,11 @@ impl Survey {
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "lengths are short")]
             let pieces = ((length / CELL).ceil() as u32).clamp(1, 100_000);
             for k in 0..pieces {
-                let spot =
-                    ease.floor.spot(Cell::at(last.lerp(corner, (f64::from(k) + 0.5) / f64::from(pieces))));
-                if !spot.is_known_free() {
+                let cell = Cell::at(last.lerp(corner, (f64::from(k) + 0.5) / f64::from(pieces)));
+                if !ease.floor.spot(cell).is_known_free() {
                     survey.unseen += length / f64::from(pieces);
                 }
-                if spot.is_occupied() {
-                    survey.barrier = survey.barrier.max(spot.visits().max(1));
-                }
+                survey.barrier = survey.barrier.max(ease.barrier(cell));
             }
             survey.length += length;
             last = corner;

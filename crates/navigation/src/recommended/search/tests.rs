@@ -24,7 +24,7 @@ fn ease<'a>(floor: &'a Floor, footing: &'a Footing) -> Ease<'a> {
 fn way(floor: &Floor, home: DVec2) -> (f64, Vec<DVec2>) {
     let footing = Footing { near: 20.0, ..Footing::default() };
     let mut search = Search::new(ease(floor, &footing), home);
-    let cells = search.way().unwrap();
+    let cells = search.way(true).unwrap();
     let points: Vec<DVec2> = cells.into_iter().skip(1).map(Cell::middle).collect();
     let corners = search.pull_tight(DVec2::ZERO, &points);
     (search.cost(DVec2::ZERO, &corners).unwrap(), corners)
