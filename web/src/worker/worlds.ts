@@ -4,10 +4,15 @@ const files = import.meta.glob<string>('../../../worlds/*.world.json', {
   eager: true,
 });
 
-/** Everyday buildings first, then the long tours, then the schematic ones; others follow by name. */
+/** Everyday buildings first, then those for finding home, the long tours, then the schematic ones; others follow by name. */
 const ORDER = [
   'office',
   'small-office',
+  'around-a-corner',
+  'shortcut',
+  'two-shortcuts',
+  'box-course',
+  'u-trap',
   'long-office',
   'environment-a',
   'environment-b',
