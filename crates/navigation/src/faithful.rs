@@ -246,14 +246,16 @@ impl Faithful {
         }
         let waypoints = following.waypoints(outlook.robot, situation.atlas, params.passed);
         let Some(&next) = waypoints.last() else { return lost_route() };
-        let fresh = following.since;
-        let fresh = self.surroundings(situation, fresh);
+        let since = following.since;
+        let fresh = self.surroundings(situation, since);
         let options = self.options_on_route(&fresh, next, situation);
         let end = straightest(&options).map_or(next, |best| options[best].end);
-        let why = format!("the remembered route leads on over {} more waypoints", waypoints.len());
-        let wish = if worn_out { Wish::GiveUp } else { self.toward(end, situation) };
-        let why =
-            if worn_out { "no way on, and the way that the robot came is blocked too".into() } else { why };
+        let (wish, why) = if worn_out {
+            (Wish::GiveUp, "no way on, and the way that the robot came is blocked too".to_owned())
+        } else {
+            let why = format!("the remembered route leads on over {} more waypoints", waypoints.len());
+            (self.toward(end, situation), why)
+        };
         let way = std::iter::once(end).chain(waypoints.iter().rev().copied()).collect();
         Proposal { way, waypoints, ..Proposal::new(wish, Mode::Route, why) }
     }

@@ -214,12 +214,14 @@ impl Recommended {
         let corners: Vec<DVec2> = choice.way.corners.iter().map(|&corner| here_from_floor * corner).collect();
         let why = self.why(&choice, lead);
         if choice.switched {
-            let position = situation.belief.here_from_robot.position.into();
+            let robot = situation.belief.here_from_robot.position;
+            let position = situation.in_map(robot).into();
             if choice.before.is_none() {
                 events.push(HomingEvent::DeadEnd { position, why: why.clone() });
             }
-            let end = corners.last().copied().unwrap_or_default().into();
-            events.push(HomingEvent::OptionChosen { end, options: 2, why: why.clone() });
+            let end = situation.in_map(corners.last().copied().unwrap_or(robot)).into();
+            let options = 1 + usize::from(choice.before.is_some());
+            events.push(HomingEvent::OptionChosen { end, options, why: why.clone() });
         }
         self.rescue.settle(choice.survey.barrier > 0);
         let mode = lead.mode();
