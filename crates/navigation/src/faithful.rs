@@ -248,7 +248,8 @@ impl Faithful {
         let Some(&next) = waypoints.last() else { return lost_route() };
         let since = following.since;
         let fresh = self.surroundings(situation, since);
-        let options = self.options_on_route(&fresh, next, situation);
+        let mut options = self.options(&fresh, next, situation);
+        options.iter_mut().for_each(|option| option.barred = false);
         let end = straightest(&options).map_or(next, |best| options[best].end);
         let (wish, why) = if worn_out {
             (Wish::GiveUp, "no way on, and the way that the robot came is blocked too".to_owned())
@@ -267,17 +268,6 @@ impl Faithful {
             return Wish::GoTo(point);
         }
         Wish::Face(situation.belief.here_from_robot.heading + self.params.turn_max.copysign(turn))
-    }
-
-    fn options_on_route(
-        &self,
-        fresh: &Surroundings,
-        next: DVec2,
-        situation: &Situation,
-    ) -> Vec<MovementOption> {
-        let mut options = self.options(fresh, next, situation);
-        options.iter_mut().for_each(|option| option.barred = false);
-        options
     }
 }
 
