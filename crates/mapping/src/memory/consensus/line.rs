@@ -53,9 +53,10 @@ impl Line {
     }
 
     pub(super) fn seen_from(&self, other_from_this: Pose) -> Self {
+        let turn = other_from_this.forward();
         Self {
-            a: other_from_this * self.a,
-            along: other_from_this.rotate(self.along),
+            a: other_from_this.position + turn.rotate(self.a),
+            along: turn.rotate(self.along),
             heading: normalize_angle(self.heading + other_from_this.heading),
             ..*self
         }

@@ -43,7 +43,7 @@ impl Default for Loss {
             evidence: 20,
             settled: 0.1,
             views: 2,
-            certain: 0.5,
+            certain: 0.7,
             error_times: 4.0,
             error_views: 20.0,
             error: 0.05,
@@ -151,7 +151,7 @@ mod tests {
             }
             doubt.views
         };
-        assert_eq!([100, 50, 20, 0].map(views), [2, 2, 3, 5]);
+        assert_eq!([100, 50, 20, 0].map(views), [2, 2, 4, 7]);
     }
 
     #[test]
