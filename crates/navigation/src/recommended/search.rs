@@ -9,9 +9,10 @@ use super::{
 
 /// The eight ways on, counter-clockwise.
 const WAYS: [[i32; 2]; 8] = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]];
-/// Within so many cells of the robot and of home every cell counts, farther off only each third: 4 m.
+/// Within so many cells of the robot and of home every cell counts, farther off only each third: 4 m. On the
+/// way that the robot has gone every cell counts too: it may have led through a gap that thirds step over.
 const FINE: i32 = 40;
-/// Farther off a step leads over so many cells; a door is wider than that.
+/// Farther off a step leads over so many cells; what is free for the robot's middle in a door may be less.
 const COARSE: i32 = 3;
 /// Home is reached within so many cells.
 const REACHED: f64 = 2.0;
@@ -20,7 +21,7 @@ pub(super) const NEAR_HOME: f64 = 1.2;
 /// … each metre that is missing costing so much.
 const SHORT_OF_HOME: f64 = 60.0;
 /// No way is looked for beyond so many cells.
-const PATIENCE: usize = 20_000;
+const PATIENCE: usize = 30_000;
 /// How far around what was seen a way may lead, metres, …
 const MARGIN: f64 = 3.0;
 /// … and where all ways within that are closed.
@@ -46,6 +47,8 @@ pub(super) struct Search<'a> {
     eases: Tiles<u16>,
     bounds: [Cell; 2],
     expanded: usize,
+    /// Whether every cell near something that stands counts.
+    thorough: bool,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
@@ -74,12 +77,13 @@ impl<'a> Search<'a> {
             eases: Tiles::default(),
             bounds: [ease.robot; 2],
             expanded: 0,
+            thorough: false,
         }
     }
 
     /// The cheapest way from where the robot is; `None` where there is none. A home that is closed in
     /// must not flood the world: the search keeps to what was seen and a margin, which is `wide` only
-    /// where all ways within the usual one are closed.
+    /// where all ways within the usual one are closed; then it looks at narrow gaps as well.
     pub(super) fn way(&mut self, wide: bool) -> Option<Vec<Cell>> {
         let near = self.way_within(MARGIN);
         if !wide || near.as_ref().is_some_and(|way| self.leads_home(way)) {
@@ -87,6 +91,7 @@ impl<'a> Search<'a> {
         }
         self.nodes = Tiles::default();
         self.expanded = 0;
+        self.thorough = true;
         self.way_within(WIDE_MARGIN).or(near)
     }
 
@@ -174,6 +179,12 @@ impl<'a> Search<'a> {
     fn is_fine(&self, cell: Cell) -> bool {
         cell.distance_squared(self.ease.robot) <= FINE * FINE
             || cell.distance_squared(Cell::at(self.home)) <= FINE * FINE
+            || self.is_narrow(cell)
+    }
+
+    fn is_narrow(&self, cell: Cell) -> bool {
+        let spot = self.ease.floor.spot(cell);
+        spot.is_travelled() || (self.thorough && spot.crowd() > 0)
     }
 
     fn is_within(&self, cell: Cell) -> bool {
