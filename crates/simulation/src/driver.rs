@@ -8,10 +8,12 @@ mod lattice;
 mod planner;
 mod random;
 mod search;
+mod shortest;
 
 pub(crate) use course::Course;
 pub(crate) use planner::Planner;
 pub use random::random_route;
+pub use shortest::shortest_way;
 pub(crate) use random::{AMPLE, AWAY, Tour};
 
 /// The person at the controls (§3.1.4): follows a route through a building that it sees, in the
@@ -38,15 +40,6 @@ impl Driver {
     pub fn next_command(&mut self, world_from_robot: Pose) -> Option<Command> {
         self.course.next_command(&mut self.planner, world_from_robot)
     }
-}
-
-/// Metres of the way on which a person would lead the robot from one point to another; `None` where
-/// there is none.
-#[must_use]
-pub fn way_length(world: &World, robot: &Robot, from: DVec2, to: DVec2) -> Option<f64> {
-    let way = Planner::new(world, &[from, to], robot.body.radius).way(from, to).ok()?;
-    let ends = std::iter::once(&from).chain(&way).zip(&way);
-    Some(ends.map(|(a, b)| a.distance(*b)).sum())
 }
 
 #[cfg(test)]

@@ -44,7 +44,7 @@ mod world;
 pub use body::{Body, StepEnd, Tick};
 pub use building::Building;
 pub use command::{Command, TimedCommand};
-pub use driver::{Driver, random_route, way_length};
+pub use driver::{Driver, random_route, shortest_way};
 pub use episode::{Episode, Setting};
 pub use event::{SessionEvent, WorldEvent};
 pub use laser::{Laser, SOMEBODY};

@@ -108,7 +108,8 @@ fn short(figure: Option<Estimate>) -> String {
 
 const LEGEND: &str = "
   ≤ 1 m: own stop within so far of the true start, and nothing hit. gave up: stopped for help, nothing hit; right in
-  no-way. SPL: shortest true way over the way driven, 0 without success; path ×: way driven over shortest, of successes.
+  no-way. SPL: shortest way for a disc of its size over the way driven and what is missing to home, 0 without success;
+  path ×: that way over the shortest, of successes.
   shortcut: taken, where the shortest way is at most 0.7 of the way out. hit: ways home with a collision, and the most
   that the runs leave possible. home off: median and 95th percentile of home as believed from home, metres.
   way ÷ out: way driven over the way out, of successes. fail-safe: decisions led by it. re-entries: dead ends entered

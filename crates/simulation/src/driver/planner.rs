@@ -19,7 +19,7 @@ pub(crate) struct Planner {
     pub(super) obstacles: Obstacles,
     pub(super) lattice: Lattice,
     /// What the middle of the robot keeps from everything, metres.
-    keep: f64,
+    pub(super) keep: f64,
     /// Metres from a cell's middle to the nearest solid, up to what is comfortable; NaN: not yet known.
     room: Vec<f32>,
     patience: u64,
@@ -28,6 +28,11 @@ pub(crate) struct Planner {
 impl Planner {
     /// A planner for a robot of a radius, metres, in a world and as far as a route leads.
     pub(crate) fn new(world: &World, route: &[DVec2], radius: f64) -> Self {
+        Self::keeping(radius + CLEARANCE + SPARE, world, route)
+    }
+
+    /// A planner that keeps a robot's middle so far from everything, metres.
+    pub(super) fn keeping(keep: f64, world: &World, route: &[DVec2]) -> Self {
         let obstacles = Obstacles::new(&Solids::of(world));
         let start = DVec2::from(world.start.position);
         let finite = route.iter().copied().filter(|point| point.is_finite());
@@ -35,7 +40,7 @@ impl Planner {
         let (low, high) = known.fold((start, start), |(low, high), p| (low.min(p), high.max(p)));
         let lattice = Lattice::over(low - 1.0, high + 1.0);
         let room = vec![f32::NAN; lattice.cells()];
-        Self { obstacles, lattice, keep: radius + CLEARANCE + SPARE, room, patience: PATIENCE }
+        Self { obstacles, lattice, keep, room, patience: PATIENCE }
     }
 
     /// The points to pass on the way, the last being `to` itself: only that one where the straight

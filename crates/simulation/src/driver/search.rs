@@ -12,6 +12,8 @@ pub(super) struct Search<'a> {
     start: usize,
     room_at_start: f64,
     visits: Vec<Visit>,
+    /// Whether the shortest way is looked for, however inconvenient.
+    shortest: bool,
     open: BinaryHeap<Reverse<(u64, usize)>>,
 }
 
@@ -32,9 +34,14 @@ impl<'a> Search<'a> {
         planner.tire(cells as u64 / 16);
         let start = planner.lattice.at(from).unwrap_or(cells);
         let (visits, open) = (vec![UNSEEN; cells], BinaryHeap::new());
-        let mut search = Self { planner, from, start, room_at_start, visits, open };
+        let mut search = Self { planner, from, start, room_at_start, visits, shortest: false, open };
         search.reach(start, Visit { cost: 0.0, ..UNSEEN }, 0.0);
         search
+    }
+
+    /// The same search for the shortest way, however near to things it leads.
+    pub(super) fn for_shortest(self) -> Self {
+        Self { shortest: true, ..self }
     }
 
     /// The cheapest way to a point, from the start to the point; `None` where there is none.
@@ -87,10 +94,11 @@ impl<'a> Search<'a> {
     fn spread(&mut self, cell: usize, prospect: impl Fn(DVec2) -> f64) {
         let here = self.place(cell);
         let Some(cost) = self.visits.get(cell).map(|visit| visit.cost) else { return };
-        for next in self.planner.lattice.neighbours(cell) {
+        for next in self.planner.lattice.neighbours(cell, self.shortest) {
             let there = self.planner.lattice.middle(next);
             let room = self.planner.room(next);
-            let cost = cost + here.distance(there) * self.planner.burden(room);
+            let burden = if self.shortest { 1.0 } else { self.planner.burden(room) };
+            let cost = cost + here.distance(there) * burden;
             let better = self.visits.get(next).is_some_and(|visit| !visit.done && cost < visit.cost);
             if better && self.passes(cell, next) {
                 self.reach(next, Visit { cost, before: Some(cell), done: false }, prospect(there));

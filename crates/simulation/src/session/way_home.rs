@@ -1,7 +1,7 @@
 use cogmap_navigation::{Atlas, Belief, Decision, HomingEvent};
 
 use super::{Homeward, Session, Source, Stamped, guide, pilot::length};
-use crate::{Strategy, way_length};
+use crate::{Strategy, shortest_way};
 
 /// How the last way home went, or goes.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,8 +16,8 @@ pub struct WayHome<'a> {
     pub way_out: f64,
     /// Metres driven since.
     pub way_home: f64,
-    /// Metres of the way that a person would have led it who sees the building as it is now; `None` where
-    /// no way leads home.
+    /// Metres of the shortest way for a disc of its size through the building as it is now; `None` where no
+    /// way leads home.
     pub shortest: Option<f64>,
     /// Metres from where the robot stands to where the run began.
     pub distance: f64,
@@ -55,7 +55,7 @@ impl Session {
             ending: self.ending(decisions),
             way_out: along(truth.get(..*scans)?),
             way_home: length([from].into_iter().chain(driven).chain([here])),
-            shortest: way_length(world, robot, from, start),
+            shortest: shortest_way(world, robot.body.radius, from, start),
             distance: here.distance(start),
             believed: self.believed_distance(),
         })

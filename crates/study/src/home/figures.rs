@@ -55,7 +55,7 @@ pub struct HomeFigures {
     pub collided: Option<Estimate>,
     /// Mean of success weighted by path length.
     pub spl: Option<Estimate>,
-    /// Mean of the way driven over the shortest way, of successes.
+    /// Mean of the way driven, with what is missing to the start, over the shortest way, of successes.
     pub path_ratio: Option<Estimate>,
     /// Mean of the way driven over the way out, of successes: below 1 is shorter than retracing.
     pub path_over_out: Option<Estimate>,
@@ -151,7 +151,7 @@ impl HomeFigures {
             gave_up: rate(&|trial| Some(trial.ended == Ended::Stuck && trial.collisions == 0.0)),
             collided: rate(&|trial| Some(trial.collisions > 0.0)),
             spl: mean(&Trial::spl),
-            path_ratio: mean(&|trial| of_success(trial, trial.path / trial.shortest?.max(0.1))),
+            path_ratio: mean(&|trial| of_success(trial, trial.length() / trial.shortest?.max(0.1))),
             path_over_out: mean(&|trial| of_success(trial, trial.path / trial.out)),
             failsafe_steps: mean(&|trial| Some(trial.failsafe_steps)),
             reentries: mean(&|trial| Some(trial.reentries)),

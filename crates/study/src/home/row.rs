@@ -39,7 +39,7 @@ pub struct Trial {
     pub home_offset: Option<f64>,
     /// Length of the way out.
     pub out: f64,
-    /// Length of the shortest way home for who sees the building; `None` where there is none.
+    /// Length of the shortest way home for a disc of the robot's size; `None` where there is none.
     pub shortest: Option<f64>,
     /// Length of the way driven home.
     pub path: f64,
@@ -88,9 +88,15 @@ impl Trial {
     #[must_use]
     pub fn spl(&self) -> Option<f64> {
         let shortest = self.shortest?;
-        let length = self.path.max(shortest);
+        let length = self.length().max(shortest);
         let share = if length > 0.0 { shortest / length } else { 1.0 };
         Some(if self.succeeds(1.0) { share } else { 0.0 })
+    }
+
+    /// The way driven and what is missing to the start, metres: a robot that stops short gains nothing by it.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.path + self.distance
     }
 
     /// Where the shortest way is at most 0.7 of the way out: whether the robot drove less than halfway
