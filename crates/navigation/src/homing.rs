@@ -92,6 +92,9 @@ impl Homing {
             _ => self.mind.decide(&situation),
         };
         let act = self.act(&belief, proposal.wish);
+        if let Act::Step { travel, .. } = act {
+            self.vigilance.expect(travel);
+        }
         Some(self.decision(mapper, &belief, proposal, act))
     }
 

@@ -42,6 +42,12 @@ pub(crate) struct TangentBug {
     idle: u32,
 }
 
+/// A boundary that is followed is looked for from straight ahead to so far behind the robot's side, radians: what
+/// stands on the other side of a corridor is another.
+const BEHIND: f64 = 150.0 * trig::PI / 180.0;
+/// The robot closes in on it aslant: on a way that is longer than the straight one by this.
+const ASLANT: f64 = 1.5;
+
 /// A boundary that is followed.
 #[derive(Clone, Copy, Debug)]
 struct Boundary {
@@ -75,14 +81,17 @@ impl TangentBug {
         let target = home.position;
         let rays = self.look(situation);
         let here = situation.belief.here_from_robot.position;
-        let direct = situation.free_toward(target);
-        if direct >= here.distance(target).min(self.params.range) {
+        // A boundary is left for a place nearer to the target, not for a look at free floor: else the robot
+        // goes back to where it met it.
+        let looks_for = if self.boundary.is_some() { f64::INFINITY } else { self.params.range };
+        if situation.free_toward(target) >= here.distance(target).min(looks_for) {
             self.boundary = None;
             self.heuristic = here.distance(target);
             return self.go(situation, target, "nothing that it sees stands between the robot and home");
         }
         if let Some(boundary) = self.boundary {
-            return self.follow(situation, target, &rays, boundary);
+            let heading = situation.belief.here_from_robot.heading;
+            return self.follow(situation, target, &rays, (boundary, heading));
         }
         let Some((end, cost)) = self.best_end(here, target, &rays) else {
             return self.begin(situation, target, &rays);
@@ -139,15 +148,16 @@ impl TangentBug {
         let side = if free(1.0) <= free(-1.0) { 1.0 } else { -1.0 };
         let began = situation.atlas.keep(here);
         let boundary = Boundary { side, followed: f64::INFINITY, began, left: false };
-        self.follow(situation, target, rays, boundary)
+        self.follow(situation, target, rays, (boundary, toward))
     }
 
+    /// Goes along a boundary, for a robot that heads so.
     fn follow(
         &mut self,
         situation: &Situation,
         target: DVec2,
         rays: &[Ray],
-        mut boundary: Boundary,
+        (mut boundary, heading): (Boundary, f64),
     ) -> Proposal {
         let here = situation.belief.here_from_robot.position;
         let reach = rays.iter().map(|ray| ray.end.distance(target)).fold(here.distance(target), f64::min);
@@ -163,14 +173,13 @@ impl TangentBug {
             }
         }
         let hit = rays.iter().filter(|ray| ray.free < self.params.range);
-        let nearest = hit.clone().map(|ray| ray.end.distance(target)).fold(f64::INFINITY, f64::min);
+        let nearest = hit.map(|ray| ray.end.distance(target)).fold(f64::INFINITY, f64::min);
         boundary.followed = boundary.followed.min(nearest).min(here.distance(target));
         let away = situation.atlas.point(boundary.began).map_or(f64::INFINITY, |began| began.distance(here));
         boundary.left |= away > 2.0 * self.params.round;
         let round = boundary.left && away < self.params.round;
         self.boundary = Some(boundary);
-        let wall = hit.min_by(|a, b| a.free.total_cmp(&b.free)).map(|ray| ray.bearing);
-        match wall.and_then(|wall| self.along(rays, wall, boundary.side)) {
+        match self.along(rays, heading, boundary.side) {
             Some(end) if !round => self.go(situation, end, "the robot goes along what is in its way"),
             _ => {
                 let why = "the robot has gone round what is in its way without finding a gap".to_owned();
@@ -179,13 +188,22 @@ impl TangentBug {
         }
     }
 
-    /// The first free direction from the nearest thing round to a side.
-    fn along(&self, rays: &[Ray], wall: f64, side: f64) -> Option<DVec2> {
+    /// The first free direction from the nearest thing on the boundary's side of the robot, away from it. Where
+    /// nothing stands there, the boundary has turned away, and the robot turns after it.
+    fn along(&self, rays: &[Ray], heading: f64, side: f64) -> Option<DVec2> {
+        let turned = |from: f64, ray: &Ray| normalize_angle(ray.bearing - from) * side;
+        let beside = rays
+            .iter()
+            .filter(|ray| ray.free < self.params.range && (-BEHIND..=0.0).contains(&turned(heading, ray)));
+        let nearest = beside.min_by(|a, b| a.free.total_cmp(&b.free));
+        let wall = nearest.map_or(heading - side * trig::FRAC_PI_2, |ray| ray.bearing);
         let turn = |ray: &Ray| {
-            let turn = normalize_angle(ray.bearing - wall) * side;
+            let turn = turned(wall, ray);
             if turn < 0.0 { turn + trig::TAU } else { turn }
         };
-        let open = rays.iter().filter(|ray| ray.free >= self.params.follow);
+        let enough =
+            nearest.map_or(0.0, |ray| ASLANT * ray.free).clamp(self.params.follow, self.params.range);
+        let open = rays.iter().filter(|ray| ray.free >= enough);
         open.min_by(|a, b| turn(a).total_cmp(&turn(b))).map(|ray| ray.end)
     }
 
@@ -194,5 +212,63 @@ impl TangentBug {
         self.idle = if free { 0 } else { self.idle + 1 };
         let wish = if self.idle > self.params.patience { Wish::GiveUp } else { Wish::GoTo(point) };
         Proposal { way: vec![point], ..Proposal::new(wish, Mode::Direction, why.to_owned()) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DEGREE: f64 = trig::PI / 180.0;
+
+    /// What a bug at the origin sees of free floor, from how far it can go at each bearing in degrees.
+    fn rays(free: impl Fn(f64) -> f64) -> Vec<Ray> {
+        let ray = |k: i32| {
+            let bearing = normalize_angle(f64::from(4 * k) * DEGREE);
+            let (sin, cos) = trig::sin_cos(bearing);
+            let free = free(bearing / DEGREE).min(3.0);
+            Ray { bearing, free, end: DVec2::new(cos, sin) * free }
+        };
+        (0..90).map(ray).collect()
+    }
+
+    fn bug() -> TangentBug {
+        TangentBug::new(&TangentBugParams::default())
+    }
+
+    /// Free ways between two walls along x: to the left and to the right so far away, metres.
+    fn corridor(left: f64, right: f64) -> Vec<Ray> {
+        rays(|bearing| {
+            let across = trig::sin(bearing * DEGREE);
+            if across > 0.0 { left / across } else { right / (-across).max(1e-9) }
+        })
+    }
+
+    #[test]
+    fn in_a_corridor_the_followed_wall_is_the_one_on_its_side_however_near_the_other() {
+        for (left, right) in [(0.1, 1.0), (1.0, 0.1), (0.2, 0.2)] {
+            for side in [1.0, -1.0] {
+                let end = bug().along(&corridor(left, right), 0.0, side).unwrap();
+                assert!(end.x > 0.0, "{left} {right} {side}: {end}");
+                assert!(bug().along(&corridor(left, right), trig::PI, side).unwrap().x < 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn where_the_boundary_ends_the_bug_turns_round_its_end() {
+        let past_the_end = rays(|bearing| if bearing.abs() > 120.0 { 0.2 } else { 9.0 });
+        let end = bug().along(&past_the_end, 0.0, 1.0).unwrap();
+        assert!(end.y < -0.5, "after a wall on its right: {end}");
+        assert!(bug().along(&past_the_end, 0.0, -1.0).unwrap().y > 0.5);
+    }
+
+    #[test]
+    fn the_end_that_makes_the_shortest_way_is_taken_and_none_that_leads_away() {
+        let wall = rays(|bearing| if (-20.0..=60.0).contains(&bearing) { 1.0 } else { 3.0 });
+        let (end, cost) = bug().best_end(DVec2::ZERO, DVec2::new(9.0, 0.0), &wall).unwrap();
+        assert!(end.y < 0.0 && (9.0..9.6).contains(&cost), "{end} {cost}");
+        let behind = rays(|bearing| if bearing.abs() < 100.0 { 1.0 } else { 3.0 });
+        assert_eq!(bug().best_end(DVec2::ZERO, DVec2::new(9.0, 0.0), &behind), None);
     }
 }

@@ -57,10 +57,15 @@ pub struct Vigilance {
     sights: VecDeque<Sight>,
     /// Metres per second between the last two scans.
     speed: f64,
+    /// Where the stretch that is driven began, in odometry's frame, and how long it was to be, metres.
+    stretch: Option<(DVec2, f64)>,
     /// A scan of a moment ago, to tell what has moved since, and the metres to the nearest thing that has.
     before: VecDeque<Reading>,
     moving: Option<f64>,
 }
+
+/// The robot is farther on than when it last looked, and faster than it was on the mean, metres.
+const LATE: f64 = 0.25;
 
 /// How long before a scan that it is compared with was taken, seconds.
 const MOMENT: f64 = 0.2;
@@ -81,6 +86,7 @@ impl Vigilance {
             params: params.clone(),
             sights: VecDeque::new(),
             speed: 0.0,
+            stretch: None,
             before: VecDeque::new(),
             moving: None,
         }
@@ -166,8 +172,22 @@ impl Vigilance {
         if self.speed > 0.05 && self.moving.is_some_and(|distance| distance < comes) {
             return false;
         }
-        let brakes = self.speed * self.speed / (2.0 * self.params.braking);
-        self.speed <= 0.05 || self.free_way(0.0, brakes) >= brakes - self.params.gap
+        let brakes = self.speed * self.speed / (2.0 * braking) + LATE;
+        let needs = self.left().map_or(brakes, |left| left.min(brakes));
+        self.speed <= 0.05 || self.free_way(0.0, needs) >= needs - self.params.gap
+    }
+
+    /// The robot is about to drive so far straight on, metres: before the end of that it need not brake for what
+    /// stands beyond.
+    pub fn expect(&mut self, travel: f64) {
+        self.stretch = self.sights.back().map(|sight| (sight.odom_from_robot.position, travel));
+    }
+
+    /// Metres of the stretch that are still to be driven.
+    fn left(&self) -> Option<f64> {
+        let (from, travel) = self.stretch?;
+        let here = self.sights.back()?.odom_from_robot.position;
+        Some((travel - from.distance(here)).max(0.0))
     }
 }
 
@@ -255,10 +275,22 @@ mod tests {
     fn a_fast_robot_brakes_for_what_a_slow_one_need_not_mind_yet() {
         let clear = |dt: f64| {
             let mut vigilance = Vigilance::new(&VigilanceParams::default());
-            vigilance.observe(&reading(0.0, 0.0, Some(0.65)));
-            vigilance.observe(&reading(dt, 0.1, Some(0.65)));
+            vigilance.observe(&reading(0.0, 0.0, Some(0.85)));
+            vigilance.observe(&reading(dt, 0.1, Some(0.85)));
             vigilance.is_clear()
         };
         assert!(!clear(0.1) && clear(0.5));
+    }
+
+    #[test]
+    fn a_robot_brakes_for_what_stands_on_its_stretch_and_not_for_what_stands_beyond() {
+        let clear = |travel: f64| {
+            let mut vigilance = Vigilance::new(&VigilanceParams::default());
+            vigilance.observe(&reading(0.0, 0.0, Some(0.65)));
+            vigilance.expect(travel);
+            vigilance.observe(&reading(0.25, 0.1, Some(0.65)));
+            vigilance.is_clear()
+        };
+        assert!(clear(0.3) && !clear(0.6));
     }
 }

@@ -13,8 +13,8 @@ mod shortest;
 pub(crate) use course::Course;
 pub(crate) use planner::Planner;
 pub use random::random_route;
-pub use shortest::shortest_way;
 pub(crate) use random::{AMPLE, AWAY, Tour};
+pub use shortest::shortest_way;
 
 /// The person at the controls (§3.1.4): follows a route through a building that it sees, in the
 /// thesis's steps, without touching anything. Robot code never meets it.

@@ -100,9 +100,8 @@ mod tests {
 
     #[test]
     fn what_is_closed_has_no_way_and_a_gap_too_narrow_is_closed() {
-        let room = |gap: f64| {
-            world(&format!("[[[-1, {gap}], [-1, 1], [1, 1], [1, -1], [-1, -1], [-1, -{gap}]]]"))
-        };
+        let room =
+            |gap: f64| world(&format!("[[[-1, {gap}], [-1, 1], [1, 1], [1, -1], [-1, -1], [-1, -{gap}]]]"));
         let to = DVec2::new(-3.0, 0.5);
         assert_eq!(shortest_way(&room(0.2), RADIUS, DVec2::ZERO, to), None);
         let way = shortest_way(&room(0.35), RADIUS, DVec2::ZERO, to).unwrap();

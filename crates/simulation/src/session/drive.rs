@@ -8,7 +8,7 @@ use rand_pcg::Pcg64Mcg;
 use super::{
     SessionRecord, Source,
     feed::{Observation, Turn},
-    people::Walker,
+    people::{Sweep, Walker},
     stage::{Bodies, Stage},
 };
 use crate::{
@@ -107,7 +107,8 @@ impl Drive {
     }
 
     fn let_people_walk(&mut self) {
-        let robot = self.footprint();
+        let Disc { radius, .. } = self.footprint();
+        let robot = Sweep::new(self.body.world_from_robot(), self.body.speed()[0], radius);
         for (walker, person) in self.walkers.iter_mut().zip(&mut self.people) {
             walker.walk(robot, self.stage.obstacles());
             *person = walker.disc();
@@ -215,9 +216,9 @@ impl Drive {
         self.body.at_rest()
     }
 
-    /// Whether it moves straight ahead.
-    pub(super) fn advances(&self) -> bool {
-        self.body.speed()[0] > 0.0
+    /// Metres per second straight ahead.
+    pub(super) fn speed(&self) -> f64 {
+        self.body.speed()[0]
     }
 
     /// The building as it is now.

@@ -2,7 +2,10 @@ use cogmap_geometry::DVec2;
 use cogmap_mapping::{Mapper, perception::Reading};
 use cogmap_navigation::{Act, Decision, Homing, HomingEvent, HomingParams, Mode};
 
-use super::{drive::Drive, oracle::Oracle};
+use super::{
+    drive::Drive,
+    oracle::{self, Oracle},
+};
 use crate::{Command, Strategy};
 
 /// A step that comes to rest and looks, and nothing else.
@@ -59,7 +62,7 @@ impl Pilot {
     pub(super) fn observe(&mut self, reading: &Reading, guide: Option<&Mapper>, drive: &mut Drive) {
         if let (Mind::Robot(homing), Some(guide)) = (&mut self.mind, guide)
             && !homing.observe(reading, guide)
-            && drive.advances()
+            && drive.speed() > 0.0
         {
             drive.obey(&LOOK);
         }
@@ -67,6 +70,9 @@ impl Pilot {
 
     /// What the robot does next, once it has come to rest; `None` where it is not time to decide.
     pub(super) fn lead(&mut self, guide: Option<&Mapper>, drive: &mut Drive) -> Option<Decision> {
+        if matches!(self.mind, Mind::Oracle(_)) && oracle::has_to_brake(drive) {
+            drive.obey(&LOOK);
+        }
         if !drive.at_rest() || self.look_at.is_some_and(|tick| drive.tick() < tick) {
             return None;
         }

@@ -5,6 +5,7 @@ use crate::{Robot, SOMEBODY, Strategy, World, WorldChange};
 
 mod changing;
 mod homing;
+mod people;
 
 fn cell() -> World {
     let text = r#"{ "format": "cogmap-world/1", "name": "Cell",
