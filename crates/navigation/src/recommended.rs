@@ -141,6 +141,9 @@ impl Recommended {
         };
         let mut events = Vec::new();
         let lead = self.rescue.lead(scene.robot, &mut events);
+        if events.iter().any(|event| matches!(event, HomingEvent::FailsafeOn { .. })) {
+            self.block(&scene);
+        }
         if let Some(why) = self.rescue.is_spent() {
             return Proposal::new(Wish::GiveUp, lead.mode(), why);
         }

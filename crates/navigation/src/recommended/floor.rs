@@ -44,11 +44,12 @@ const FINE: f64 = 0.001;
 const WALL: u8 = 1;
 const TRAVELLED: u8 = 2;
 const SEEN_FREE: u8 = 4;
+const SHUT: u8 = 8;
 
 impl Spot {
     /// Whether anything is believed to stand there.
     pub(super) fn is_occupied(self) -> bool {
-        self.is_found() || self.marks & WALL != 0
+        self.is_found() || self.marks & (WALL | SHUT) != 0
     }
 
     /// Whether scans say so, not only the map.
@@ -145,12 +146,13 @@ impl Floor {
         }
     }
 
-    /// Something that stands in a cell whatever was seen there so far.
+    /// The robot does not fit through there, however free it looks: beams do.
     pub(super) fn block(&mut self, point: DVec2, moment: u16) {
         let cell = Cell::at(point);
         self.change(cell, |spot| {
             spot.stands_at(cell, point);
-            spot.evidence = MOST;
+            spot.marks |= SHUT;
+            spot.visits = spot.visits.saturating_add(1);
             spot.met = moment;
         });
     }
@@ -206,7 +208,7 @@ impl Floor {
     /// A stretch that the robot has gone: where its middle was nothing stands.
     pub(super) fn travel(&mut self, stretch: Segment) {
         self.trace(stretch, 1, |_, spot| {
-            spot.marks = (spot.marks | TRAVELLED) & !WALL;
+            spot.marks = (spot.marks | TRAVELLED) & !(WALL | SHUT);
         });
         self.widen(&[stretch.a, stretch.b]);
     }

@@ -12,10 +12,13 @@ use super::{
 pub struct Footing {
     /// A metre of floor that was never seen.
     pub unknown: f64,
-    /// What is believed to stand somewhere keeps the robot's middle this far away, metres.
+    /// Nothing leads the robot's middle nearer than this to what is believed to stand somewhere, metres: a little
+    /// less than its radius, because what is seen from afar is seen a little beside its place.
     pub hard: f64,
-    /// On its own way the robot has passed nearer than that; there this is enough, metres.
-    pub hard_travelled: f64,
+    /// Nearer than this each metre costs …
+    pub tight: f64,
+    /// … so many times as much, except where the robot has passed itself.
+    pub tight_cost: f64,
     /// Nearer than this to something each metre costs …
     pub soft: f64,
     /// … so many times as much.
@@ -35,9 +38,10 @@ pub struct Footing {
 impl Default for Footing {
     fn default() -> Self {
         Self {
-            unknown: 2.0,
-            hard: 0.26,
-            hard_travelled: 0.21,
+            unknown: 3.0,
+            hard: 0.21,
+            tight: 0.26,
+            tight_cost: 3.0,
             soft: 0.40,
             soft_cost: 1.6,
             near: 5.0,
@@ -89,12 +93,13 @@ impl Ease<'_> {
         let (nearest, firmness) = self.around(cell);
         let firmness = f64::from(firmness);
         let barrier = self.footing.barrier * firmness * firmness;
-        let keep = if spot.is_travelled() { self.footing.hard_travelled } else { self.footing.hard };
-        let cost = if nearest < keep {
+        let cost = if nearest < self.footing.hard {
             if !self.within_leeway(cell) {
                 return NO_WAY;
             }
             base * self.footing.squeeze
+        } else if nearest < self.footing.tight && !spot.is_travelled() {
+            base * self.footing.tight_cost
         } else if nearest < self.footing.soft {
             base * self.footing.soft_cost
         } else {
@@ -140,7 +145,7 @@ impl Ease<'_> {
                 let distance = (at.middle() + spot.at()).distance_squared(middle);
                 if self.is_trusted(at, spot) {
                     nearest = nearest.min(distance);
-                } else if self.trust == Trust::Memory && distance < self.footing.hard * self.footing.hard {
+                } else if self.trust == Trust::Memory && distance < self.footing.tight * self.footing.tight {
                     firmness = firmness.max(spot.visits().saturating_add(1));
                 }
             }

@@ -47,7 +47,7 @@ pub(super) struct Search<'a> {
     eases: Tiles<u16>,
     bounds: [Cell; 2],
     expanded: usize,
-    /// Whether every cell near something that stands counts.
+    /// Whether every cell near something that stands counts, so that no gap is stepped over.
     thorough: bool,
 }
 
@@ -82,16 +82,16 @@ impl<'a> Search<'a> {
     }
 
     /// The cheapest way from where the robot is; `None` where there is none. A home that is closed in
-    /// must not flood the world: the search keeps to what was seen and a margin, which is `wide` only
-    /// where all ways within the usual one are closed; then it looks at narrow gaps as well.
+    /// must not flood the world: the search keeps to what was seen and a margin. A `wide` search looks at narrow
+    /// gaps as well, and beyond the margin where all ways within it are closed.
     pub(super) fn way(&mut self, wide: bool) -> Option<Vec<Cell>> {
+        self.thorough = wide;
         let near = self.way_within(MARGIN);
         if !wide || near.as_ref().is_some_and(|way| self.leads_home(way)) {
             return near;
         }
         self.nodes = Tiles::default();
         self.expanded = 0;
-        self.thorough = true;
         self.way_within(WIDE_MARGIN).or(near)
     }
 

@@ -48,3 +48,13 @@ fn where_the_robot_went_no_wall_of_the_map_stands() {
     assert!(spot(&floor, 0.5, 0.0).is_travelled() && !spot(&floor, 0.5, 0.0).is_occupied());
     assert!(spot(&floor, 0.5, 0.5).is_occupied());
 }
+
+#[test]
+fn where_the_robot_did_not_fit_through_beams_change_nothing_but_its_own_way_does() {
+    let mut floor = Floor::default();
+    floor.block(DVec2::new(1.0, 0.02), 1);
+    wall_seen(&mut floor, 9);
+    assert!(spot(&floor, 1.0, 0.02).is_occupied() && !spot(&floor, 1.0, 0.02).is_found());
+    floor.travel(Segment::new(DVec2::new(0.5, 0.0), DVec2::new(1.5, 0.0)));
+    assert!(!spot(&floor, 1.0, 0.02).is_occupied());
+}
