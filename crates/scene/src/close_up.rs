@@ -9,7 +9,8 @@ impl Scene {
     pub fn within(mut self, bounds: Bounds) -> Self {
         for items in [&mut self.still, &mut self.changing] {
             let all = std::mem::take(items).into_iter();
-            let cut = |item: Item| item.shape.within(bounds).into_iter().map(move |it| Item::new(item.role, it));
+            let cut =
+                |item: Item| item.shape.within(bounds).into_iter().map(move |it| Item::new(item.role, it));
             items.extend(all.flat_map(cut));
         }
         self

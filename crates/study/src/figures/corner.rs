@@ -88,7 +88,9 @@ fn stands_free(world: &World, piece: Segment) -> bool {
     let aside = piece.direction().unwrap_or(DVec2::X).perp() * PIECE;
     let inside = |point: DVec2, outline: &[[f64; 2]]| {
         let edges = outline.iter().zip(outline.iter().cycle().skip(1));
-        edges.map(|(a, b)| Segment::new((*a).into(), (*b).into())).all(|edge| edge.offset_of(point) >= Some(0.0))
+        edges
+            .map(|(a, b)| Segment::new((*a).into(), (*b).into()))
+            .all(|edge| edge.offset_of(point) >= Some(0.0))
     };
     [aside, -aside].into_iter().any(|aside| {
         let point = piece.midpoint() + aside;
@@ -152,4 +154,19 @@ pub(super) fn false_opening(runs: &mut Runs) -> Result<Drawing, String> {
         ),
         source: source(&then),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_robot_sees_what_lies_ahead_and_is_hidden_by_nothing() {
+        let screen = [Segment::new(DVec2::new(2.0, -1.0), DVec2::new(2.0, 1.0))];
+        let sees = |x: f64, y: f64| sees(Pose::IDENTITY, DVec2::new(x, y), &screen);
+        assert!(sees(1.0, 0.0) && sees(3.0, 4.0) && sees(2.0, 0.5), "the screen itself too");
+        assert!(!sees(3.0, 0.5), "behind the screen");
+        assert!(!sees(-1.0, 0.0), "behind the robot");
+        assert!(!sees(7.0, 6.0), "too far");
+    }
 }

@@ -66,7 +66,7 @@ pub(super) fn around_the_boxes(runs: &mut Runs) -> Result<Drawing, String> {
         columns: 1,
         outcome: format!(
             "Here {:.0} m out and {:.0} m home; {by_route} of {} decisions follow the remembered route. Without it the \
-             robot gives up after {} decisions, {:.0} m from home.",
+             robot stops after {} decisions, {:.0} m from home.",
             way.way_out,
             way.way_home,
             way.decisions.len(),
@@ -83,7 +83,11 @@ const AMONG: f64 = 15.6;
 /// Fig. 3.40.
 pub(super) fn among_the_boxes(runs: &mut Runs) -> Result<Drawing, String> {
     let out = runs.of(&BOXES)?;
-    let alone = stuck(&out).ok_or("in this run the sense of direction finds a way everywhere")?;
+    let first = || out.homeward(FaithfulParams::default(), |_, _| true);
+    let (alone, heading) = match stuck(&out) {
+        Some(alone) => (alone, "Told to go home: no option"),
+        None => (first(), "Told to go home"),
+    };
     let among = |session: &Session, decision: &Decision| {
         let here = session.world_from_robot().is_some_and(|robot| robot.position.x < AMONG);
         let goes = matches!(decision.act, Act::Step { travel, .. } if travel > 0.5);
@@ -91,7 +95,7 @@ pub(super) fn among_the_boxes(runs: &mut Runs) -> Result<Drawing, String> {
     };
     let led = out.homeward(FaithfulParams::default(), among);
     let frame = Frame { columns: 2, ..Frame::of([11.9, 2.3], [20.8, 6.8]) };
-    let headings = ["Told to go home: no option", "Among the boxes: none either, but a remembered route"];
+    let headings = [heading, "Among the boxes: none either, but a remembered route"];
     let scenes = [mind_of(&alone, Show::Trust), mind_of(&led, Show::Decision)];
     let count = decided(&led)?.waypoints.len();
     let panels = headings.into_iter().zip(scenes).map(|(heading, scene)| {

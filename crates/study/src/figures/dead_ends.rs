@@ -5,7 +5,7 @@ use cogmap_simulation::Session;
 
 use super::{
     Drawing, Runs,
-    mind::{Frame, Show, mind_of, panel, source},
+    mind::{Frame, Show, decided, mind_of, panel, source},
     outings::BAY,
     runs::Run,
 };
@@ -13,7 +13,7 @@ use super::{
 /// Where the bay begins, and where it ends, metres.
 const BAY_FROM: f64 = 7.9;
 const BAY_TO: f64 = 17.0;
-/// So often the robot without a memory of dead ends is watched leaving the bay.
+/// The robot without a memory of dead ends is watched until it has come out of the bay so often.
 const TIMES: usize = 2;
 
 /// Without a memory of dead ends or with it.
@@ -33,24 +33,24 @@ fn turned_back(session: &Session) -> usize {
     session.journal().decisions.iter().filter(off).count()
 }
 
-/// Metres between the robot and the end of the bay.
-fn from_the_end(run: &Run) -> f64 {
-    BAY_TO - x(&run.session)
-}
-
 /// Fig. 3.31.
 pub(super) fn away_from_it(runs: &mut Runs) -> Result<Drawing, String> {
     let goes = |act: Act| matches!(act, Act::Step { travel, .. } if travel > 0.0);
     let leaves = |decision: &Decision| decision.mode == Mode::Route && goes(decision.act);
     let run = runs.of(&BAY)?.homeward(params(false), |_, decision| leaves(decision));
-    Ok(Drawing {
-        panels: vec![panel("", mind_of(&run, Show::DecisionAndPath), Frame::of([-0.3, -0.3], [27.3, 13.3]), &[])],
-        columns: 1,
-        outcome: format!(
-            "Here it saw the end of the bay from {:.0} m away, found no option and is led out again by the \
-             remembered route.",
+    let outcome = if decided(&run)?.mode == Mode::Route {
+        format!(
+            "It saw the end from {:.0} m away and turns back. The thesis’s robot is led away by its sense of \
+             direction; here no option is left, and the remembered route leads out.",
             seen_from(&run)
-        ),
+        )
+    } else {
+        "In this run it does not go in.".to_owned()
+    };
+    Ok(Drawing {
+        panels: vec![panel("", mind_of(&run, Show::Decision), Frame::of([-0.2, -0.2], [27.2, 13.2]), &[])],
+        columns: 1,
+        outcome,
         source: source(&run),
     })
 }
@@ -67,20 +67,26 @@ pub(super) fn into_it_again(runs: &mut Runs) -> Result<Drawing, String> {
     let out = runs.of(&BAY)?;
     let without = out.homeward(params(false), |session, _| turned_back(session) == TIMES);
     let with = out.homeward(params(true), |session, _| turned_back(session) == 1);
-    let barred = with.session.journal().decisions.last().map_or(0, |decision| {
-        decision.options.iter().filter(|option| option.barred).count()
-    });
+    let barred = decided(&with)?.options.iter().filter(|option| option.barred).count();
+    let above = if turned_back(&without.session) == TIMES {
+        let far = BAY_TO - x(&without.session);
+        format!(
+            "Above it is about to go into the bay for the third time: its end, {far:.0} m away, is forgotten."
+        )
+    } else {
+        "Above, in this run, it does not come back to it so often.".to_owned()
+    };
+    let below = format!(
+        "Below it keeps a rough mark of what it tried: {barred} options are barred, and it goes round."
+    );
     let frame = Frame { rows: 2, ..Frame::of([-0.3, 3.9], [27.3, 11.1]) };
     let panels = [(&without, "Without a memory of dead ends"), (&with, "With it")];
     Ok(Drawing {
-        panels: panels.map(|(run, heading)| panel(heading, mind_of(run, Show::DecisionAndPath), frame, &[])).into(),
+        panels: panels
+            .map(|(run, heading)| panel(heading, mind_of(run, Show::DecisionAndPath), frame, &[]))
+            .into(),
         columns: 1,
-        outcome: format!(
-            "Above it is about to go into the bay for the {} time: its end, {:.0} m away, is forgotten. Below \
-             it keeps a rough mark of what it tried, which bars {barred} of its options, and goes round.",
-            ["second", "third"][TIMES - 1],
-            from_the_end(&without)
-        ),
+        outcome: format!("{above} {below}"),
         source: source(&with),
     })
 }

@@ -3,8 +3,8 @@
 use cogmap_geometry::{DVec2, Pose, Segment};
 use cogmap_navigation::Decision;
 use cogmap_scene::{
-    Bounds, Colouring, HomingMark, Item, LegendEntry, MemoryOptions, Panel, Role, Sample, Scene,
-    Shape, memory_scene,
+    Bounds, Colouring, HomingMark, Item, LegendEntry, MemoryOptions, Panel, Role, Sample, Scene, Shape,
+    memory_scene,
 };
 
 use super::{
@@ -103,9 +103,12 @@ pub(super) fn over_the_world(run: &Run, mut scene: Scene) -> Scene {
 /// Where the map lies if the robot is where it believes to be.
 pub(super) fn world_from_belief(run: &Run) -> Pose {
     let session = &run.session;
-    let map_from_robot = session.mappers().first().and_then(|it| it.map_from_robot(session.odom_from_robot()));
+    let map_from_robot =
+        session.mappers().first().and_then(|it| it.map_from_robot(session.odom_from_robot()));
     let both = session.world_from_robot().zip(map_from_robot);
-    both.map_or(Pose::IDENTITY, |(world_from_robot, map_from_robot)| world_from_robot * map_from_robot.inverse())
+    both.map_or(Pose::IDENTITY, |(world_from_robot, map_from_robot)| {
+        world_from_robot * map_from_robot.inverse()
+    })
 }
 
 /// One colour for all that is trusted: in these figures it does not matter when it was first seen.
@@ -139,36 +142,32 @@ pub(super) fn panel(
     frame: Frame,
     more: &[(Sample, &str)],
 ) -> Panel {
-    let mut scene = match frame.bounds {
-        Some(bounds) => scene.within(bounds),
-        None => scene,
-    };
-    let letters = Letters { lines: drawn_lines(&scene), pixel: frame.pixel(&scene) };
+    let mut scene = scene.within(frame.bounds);
+    let letters = Letters { lines: drawn_lines(&scene), pixel: frame.pixel() };
     let letters: Vec<Item> = scene.changing.iter().filter_map(|item| letters.beside(item)).collect();
     scene.changing.extend(letters);
     scene.legend = legend(&scene, more);
-    Panel { heading: heading.into(), scene, room: frame.bounds }
+    Panel { heading: heading.into(), scene, room: Some(frame.bounds) }
 }
 
 /// What part of the world a panel shows, and how many panels there are.
 #[derive(Clone, Copy)]
 pub(super) struct Frame {
-    pub(super) bounds: Option<Bounds>,
+    pub(super) bounds: Bounds,
     pub(super) columns: usize,
     pub(super) rows: usize,
 }
 
 impl Frame {
-    pub(super) const WHOLE: Self = Self { bounds: None, columns: 1, rows: 1 };
-
     /// A rectangle of the world.
-    pub(super) fn of(min: [f64; 2], max: [f64; 2]) -> Self {
-        Self { bounds: Some(Bounds { min: min.into(), max: max.into() }), ..Self::WHOLE }
+    pub(super) const fn of(min: [f64; 2], max: [f64; 2]) -> Self {
+        let [min, max] = [DVec2::from_array(min), DVec2::from_array(max)];
+        Self { bounds: Bounds { min, max }, columns: 1, rows: 1 }
     }
 
     /// Metres that a pixel of the figure is about.
-    fn pixel(self, scene: &Scene) -> f64 {
-        let size = self.bounds.or_else(|| scene.bounds()).map_or(DVec2::ONE, |it| it.max - it.min);
+    fn pixel(self) -> f64 {
+        let size = self.bounds.max - self.bounds.min;
         (size.x * self.columns as f64 / 700.0).max(size.y * self.rows as f64 / 400.0)
     }
 }
@@ -199,7 +198,8 @@ impl Letters {
             nearest.min(ENOUGH * self.pixel)
         };
         let places = ASIDE.map(|aside| at + DVec2::from(aside) * away);
-        let best = places.into_iter().reduce(|best, next| if room(next) > room(best) { next } else { best })?;
+        let best =
+            places.into_iter().reduce(|best, next| if room(next) > room(best) { next } else { best })?;
         Some(word(best, letter))
     }
 }
@@ -222,14 +222,17 @@ fn drawn_lines(scene: &Scene) -> Vec<Segment> {
 fn legend(scene: &Scene, more: &[(Sample, &str)]) -> Vec<LegendEntry> {
     let drawn = |wanted: Role| scene.still.iter().chain(&scene.changing).any(|item| item.role == wanted);
     let role = |sample: Sample| match sample {
-        Sample::Line(role) | Sample::Arrow(role) | Sample::Area(role) | Sample::Sign(role) | Sample::Robot(role) => {
-            Some(role)
-        }
+        Sample::Line(role)
+        | Sample::Arrow(role)
+        | Sample::Area(role)
+        | Sample::Sign(role)
+        | Sample::Robot(role) => Some(role),
         _ => None,
     };
     let words = WORDS.iter().filter(|(sample, _)| role(*sample).is_some_and(drawn));
     let all_trusted = !drawn(FORGOTTEN);
-    let text = |sample: Sample, text| if all_trusted && sample == Sample::Line(TRUSTED) { "MFIS" } else { text };
+    let text =
+        |sample: Sample, text| if all_trusted && sample == Sample::Line(TRUSTED) { "MFIS" } else { text };
     words.chain(more).map(|&(sample, words)| LegendEntry::new(sample, text(sample, words))).collect()
 }
 
@@ -246,4 +249,44 @@ pub(super) fn decided(run: &Run) -> Result<&Decision, String> {
 /// What was run, for people.
 pub(super) fn source(run: &Run) -> String {
     format!("the strategy faithful on the map of consensus, {}", run.words())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_letter_stands_where_no_line_runs() {
+        let pose = Pose::new(2.0, 3.0, 0.0);
+        let line = Segment::new(DVec2::new(-9.0, 2.6), DVec2::new(9.0, 2.6));
+        let robot = Item::new(Role::BelievedRobot, Shape::Robot(pose, 0.25));
+        let place = |lines: Vec<Segment>| {
+            let item = Letters { lines, pixel: 0.02 }.beside(&robot).unwrap();
+            let Shape::Label { at, text, .. } = item.shape else { panic!("a word") };
+            assert_eq!(text, "R");
+            at
+        };
+        assert!(place(Vec::new()).y < 3.0 && place(vec![line]).y > 3.0);
+    }
+
+    #[test]
+    fn without_a_choice_the_chosen_option_looks_like_any_other() {
+        let points = vec![DVec2::ZERO, DVec2::X];
+        let changing = vec![
+            Item::new(homing(HomingMark::Rim), Shape::Polyline(points.clone())),
+            Item::new(homing(HomingMark::InMind), Shape::Polyline(points.clone())),
+            Item::new(homing(HomingMark::Chosen), Shape::Arrow(points.clone())),
+        ];
+        let scene = without_choice(Scene { changing, ..Scene::default() });
+        let line = |mark| Item::new(homing(mark), Shape::Polyline(points.clone()));
+        assert_eq!(scene.changing, [line(HomingMark::Assumed), line(HomingMark::Seen)]);
+    }
+
+    #[test]
+    fn only_what_is_drawn_is_explained_and_what_is_all_trusted_is_just_the_map() {
+        let drawn = |role| Item::new(role, Shape::Segments(vec![Segment::new(DVec2::ZERO, DVec2::X)]));
+        let text = |still| legend(&Scene { still, ..Scene::default() }, &[])[0].text.clone();
+        assert_eq!(text(vec![drawn(TRUSTED)]), "MFIS");
+        assert_eq!(text(vec![drawn(TRUSTED), drawn(FORGOTTEN)]), "MFIS, trusted");
+    }
 }

@@ -86,7 +86,8 @@ pub(super) fn out_of_a_dead_end(runs: &mut Runs) -> Result<Drawing, String> {
 /// How many assumed ways on cross something that the robot does not trust any more.
 fn through_forgotten(run: &Run, decision: &Decision) -> usize {
     let homing = run.session.homing().and_then(|pilot| pilot.homing());
-    let (Some(homing), Some(mind), Some(home)) = (homing, run.session.mappers().first(), decision.home) else {
+    let (Some(homing), Some(mind), Some(home)) = (homing, run.session.mappers().first(), decision.home)
+    else {
         return 0;
     };
     let mfis = mind.mfis();

@@ -185,7 +185,7 @@ impl Run {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figures::outings::SMALL_GOOD;
+    use crate::figures::outings::{CORNER, SMALL_GOOD};
 
     #[test]
     fn a_drive_is_made_once_however_many_figures_show_it() {
@@ -194,5 +194,17 @@ mod tests {
         assert!(Rc::ptr_eq(&first, &second));
         let goal = first.session.world_from_robot().unwrap().position;
         assert!(goal.distance(first.world_from_map().position) > 1.0 && first.length() > 5.0);
+    }
+
+    #[test]
+    fn a_way_home_stops_where_enough_is_seen_or_at_its_end() {
+        let out = Runs::new(1).of(&CORNER).unwrap();
+        let decisions = |run: &Run| run.session.journal().decisions.len();
+        let third =
+            out.homeward(FaithfulParams::default(), |session, _| session.journal().decisions.len() == 3);
+        assert!(decisions(&third) == 3 && third.session.homing().is_some());
+        let home = out.homeward(FaithfulParams::default(), |_, _| false);
+        assert_eq!(home.session.journal().decisions.last().unwrap().act, Act::Arrived);
+        assert_eq!(decisions(&out), 0, "the drive itself goes on for others");
     }
 }

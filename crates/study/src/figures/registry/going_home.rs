@@ -46,7 +46,7 @@ pub(super) const FIGURES: &[Figure] = &[
     ),
     figure(
         "3.31",
-        "Moving away from a dead end, to be forgotten",
+        "Moving away from the end of a bay",
         "A bay lies open toward the robot, and home lies behind its closed end.",
         dead_ends::away_from_it,
     ),
