@@ -79,7 +79,7 @@ pub(super) fn into_it_again(runs: &mut Runs) -> Result<Drawing, String> {
     let below = format!(
         "Below it keeps a rough mark of what it tried: {barred} options are barred, and it goes round."
     );
-    let frame = Frame { rows: 2, ..Frame::of([-0.3, 3.9], [27.3, 11.1]) };
+    let frame = Frame { rows: 2, ..Frame::of([-0.2, 1.7], [25.4, 11.2]) };
     let panels = [(&without, "Without a memory of dead ends"), (&with, "With it")];
     Ok(Drawing {
         panels: panels

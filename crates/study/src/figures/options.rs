@@ -70,14 +70,14 @@ pub(super) fn out_of_a_dead_end(runs: &mut Runs) -> Result<Drawing, String> {
     let goes = |decision: &Decision| matches!(decision.act, Act::Step { travel, .. } if travel > 0.0);
     let run = moment(runs, &POCKET, |_, decision| goes(decision))?;
     let scene = without_choice(mind_of(&run, Show::Decision));
-    let through = through_forgotten(&run, decided(&run)?);
+    let (through, all) = (through_forgotten(&run, decided(&run)?), open(decided(&run)?));
+    let which = if through == all { format!("all {all}") } else { format!("{through} of {all}") };
     Ok(Drawing {
         panels: vec![panel("", scene, Frame::of([-0.2, 1.8], [20.2, 10.2]), &[])],
         columns: 1,
         outcome: format!(
-            "Here {through} of the {} assumed ways go through a wall that the robot saw on its way out and has \
-             forgotten. It hopes that there is a way, and will see the wall again.",
-            open(decided(&run)?)
+            "Here {which} assumed ways go through a wall that the robot saw on its way out and has forgotten. It \
+             hopes that there is a way, and will see the wall again."
         ),
         source: source(&run),
     })
