@@ -13,7 +13,7 @@ use super::{
     runs::Run,
 };
 
-const OFFICE: ([f64; 2], [f64; 2]) = ([-0.2, -0.2], [8.2, 7.6]);
+const OFFICE: Frame = Frame::of([-0.2, -0.2], [8.2, 7.6]);
 
 /// Where the robot was told to go home, in the map laid over the world at the beginning.
 pub(super) fn turning_point(run: &Run) -> Option<DVec2> {
@@ -37,7 +37,7 @@ pub(super) fn there_and_back(runs: &mut Runs) -> Result<Drawing, String> {
     let mut scene = mind_of(&run, Show::Journey);
     scene.changing.extend(go_home(&run, DVec2::new(0.0, 0.45)));
     Ok(Drawing {
-        panels: vec![panel("", scene, Frame::of(OFFICE.0, OFFICE.1), &[])],
+        panels: vec![panel("", scene, OFFICE, &[])],
         columns: 1,
         outcome: format!(
             "Here {:.1} m out and {:.1} m home; {} of {} decisions follow the known route. The thesis’s robot zigzags \
@@ -121,7 +121,7 @@ pub(super) fn what_was_seen(runs: &mut Runs) -> Result<Drawing, String> {
     scene.still.iter_mut().filter(|item| item.role == FORGOTTEN).for_each(|item| item.role = TRUSTED);
     scene.still.push(lines(role(Annotation::Flaw), unseen));
     Ok(Drawing {
-        panels: vec![panel("", scene, Frame::of(OFFICE.0, OFFICE.1), &[(UNSEEN, "never seen")])],
+        panels: vec![panel("", scene, OFFICE, &[(UNSEEN, "never seen")])],
         columns: 1,
         outcome: format!("Here it has not seen {length:.0} m of what stands there."),
         source: source(&run),
@@ -141,7 +141,7 @@ pub(super) fn false_opening(runs: &mut Runs) -> Result<Drawing, String> {
         if std::ptr::eq(run, &first) {
             scene.still.push(lines(role(Annotation::Flaw), unseen.iter().copied()));
         }
-        let frame = Frame { columns: 2, ..Frame::of(OFFICE.0, OFFICE.1) };
+        let frame = Frame { columns: 2, ..OFFICE };
         panels.push(panel(heading, scene, frame, &[(UNSEEN, "never seen until then")]));
     }
     let looks = then.session.journal().decisions.len() - 1;

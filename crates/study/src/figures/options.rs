@@ -17,7 +17,7 @@ const FEW: usize = 2;
 const MANY: usize = 7;
 
 /// The hall behind the boxes.
-const HALL: ([f64; 2], [f64; 2]) = ([-0.2, -0.2], [13.6, 9.2]);
+const HALL: Frame = Frame::of([-0.2, -0.2], [13.6, 9.2]);
 
 /// The robot on its way home, when it has just decided something.
 fn moment(
@@ -58,7 +58,7 @@ pub(super) fn in_a_wide_place(runs: &mut Runs) -> Result<Drawing, String> {
     let run = in_the_hall(runs)?;
     let scene = without_choice(mind_of(&run, Show::Decision));
     Ok(Drawing {
-        panels: vec![panel("", scene, Frame::of(HALL.0, HALL.1), &[])],
+        panels: vec![panel("", scene, HALL, &[])],
         columns: 1,
         outcome: counted(decided(&run)?),
         source: source(&run),
@@ -113,7 +113,7 @@ pub(super) fn the_most_promising(runs: &mut Runs) -> Result<Drawing, String> {
         (f64::min(least, detour), f64::max(most, detour))
     });
     Ok(Drawing {
-        panels: vec![panel("", mind_of(&run, Show::Decision), Frame::of(HALL.0, HALL.1), &[])],
+        panels: vec![panel("", mind_of(&run, Show::Decision), HALL, &[])],
         columns: 1,
         outcome: format!(
             "Here its way is {least:.2} m longer than the straight line, the worst of the others {most:.2} m."
