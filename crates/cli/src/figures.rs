@@ -38,12 +38,12 @@ pub(crate) fn figures(arguments: &FiguresArguments) -> Result<(), Failure> {
 /// The figures of those numbers in the order of the thesis; all where none is named.
 fn wanted(ids: &[String]) -> Result<Vec<&'static Figure>, Failure> {
     if let Some(unknown) = ids.iter().find(|id| Figure::of(id).is_none()) {
-        let known: Vec<&str> = Figure::all().iter().map(|figure| figure.id).collect();
+        let known: Vec<&str> = Figure::all().map(|figure| figure.id).collect();
         return Err(Failure::input(format!("there is no figure `{unknown}`"))
             .help(format!("choose from {}", known.join(", "))));
     }
     let named = |figure: &&Figure| ids.is_empty() || ids.iter().any(|id| id == figure.id);
-    Ok(Figure::all().iter().filter(named).collect())
+    Ok(Figure::all().filter(named).collect())
 }
 
 fn list(figures: &[&Figure]) -> String {
@@ -72,7 +72,7 @@ mod tests {
 
     #[test]
     fn without_numbers_all_figures_are_wanted() {
-        assert_eq!(wanted(&[]).unwrap().len(), Figure::all().len());
+        assert_eq!(wanted(&[]).unwrap().len(), Figure::all().count());
     }
 
     #[test]

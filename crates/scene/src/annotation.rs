@@ -17,6 +17,8 @@ pub enum Annotation {
     Known,
     /// A surface that was just added.
     Added,
+    /// Where a memory lacks something or has it wrong.
+    Flaw,
     /// A movement, or a way to go.
     Movement,
     /// A line of sight.
@@ -40,6 +42,7 @@ impl Annotation {
             Self::Ring => Style::line(solid(palette.warning), 1.75),
             Self::Known => Style::line(solid(palette.muted), 2.0),
             Self::Added => Style::line(solid(palette.added), 3.0),
+            Self::Flaw => Style::line(solid(palette.warning), 3.0),
             Self::Movement => Style::line(solid(palette.robot), 2.0),
             Self::Sight => Style::line(solid(palette.laser).with_alpha(150), 1.0),
             Self::Axis => Style::line(solid(palette.muted), 1.0),

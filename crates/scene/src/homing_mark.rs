@@ -52,7 +52,7 @@ impl HomingMark {
             Self::Waypoint => {
                 Style { sign: Sign::Diamond(4.0), ..Style::area(solid(palette.paper), Some((blue, 1.5))) }
             }
-            Self::Forgotten => Style::line(solid(palette.muted).with_alpha(90), 1.0),
+            Self::Forgotten => Style::line(solid(palette.muted).with_alpha(130), 1.0),
         }
     }
 }

@@ -26,6 +26,7 @@ mod annotation;
 mod brush;
 mod camera;
 mod clip;
+mod close_up;
 mod colour;
 mod font;
 mod footer;

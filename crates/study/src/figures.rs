@@ -3,20 +3,27 @@
 //! None is a copy: each is a new run that shows what the figure of that number shows, made by the very
 //! code that maps. Where a run does not show what the thesis saw, its caption says so.
 
+mod corner;
 mod corridor;
+mod courses;
+mod dead_ends;
 mod draw;
 mod environments;
 mod exits;
+mod forgetting;
 mod maps;
 mod matching;
+mod mind;
 mod movement;
 mod network;
+mod options;
 mod outings;
 mod placement;
 mod plot;
 mod propagation;
 mod reference;
 mod registry;
+mod remembered;
 mod route;
 mod runs;
 mod scan;
@@ -51,15 +58,14 @@ struct Drawing {
 
 impl Figure {
     /// Every figure, in the order of the thesis.
-    #[must_use]
-    pub fn all() -> &'static [Self] {
-        registry::FIGURES
+    pub fn all() -> impl Iterator<Item = &'static Self> {
+        registry::FIGURES.into_iter().flatten()
     }
 
     /// The figure of that number.
     #[must_use]
     pub fn of(id: &str) -> Option<&'static Self> {
-        Self::all().iter().find(|figure| figure.id == id)
+        Self::all().find(|figure| figure.id == id)
     }
 
     /// Makes the runs that it needs, unless another figure has made them, and draws it.
@@ -90,7 +96,8 @@ mod tests {
     fn numbers_are_unique_and_in_the_order_of_the_thesis() {
         let number =
             |figure: &Figure| -> Vec<u32> { figure.id.split('.').map(|n| n.parse().unwrap()).collect() };
-        assert!(Figure::all().windows(2).all(|pair| number(&pair[0]) < number(&pair[1])));
+        let numbers: Vec<_> = Figure::all().map(number).collect();
+        assert!(numbers.is_sorted_by(|one, next| one < next));
     }
 
     #[test]

@@ -3,7 +3,9 @@ use std::sync::Arc;
 use cogmap_simulation::World;
 
 /// The buildings that the thesis's experiments are driven in, by name.
-const WORLDS: [(&str, &str); 9] = [
+const WORLDS: [(&str, &str); 14] = [
+    ("around-a-corner", include_str!("../../../worlds/around-a-corner.world.json")),
+    ("box-course", include_str!("../../../worlds/box-course.world.json")),
     ("environment-a", include_str!("../../../worlds/environment-a.world.json")),
     ("environment-b", include_str!("../../../worlds/environment-b.world.json")),
     ("long-corridor", include_str!("../../../worlds/long-corridor.world.json")),
@@ -11,8 +13,11 @@ const WORLDS: [(&str, &str); 9] = [
     ("narrow-passage", include_str!("../../../worlds/narrow-passage.world.json")),
     ("no-passage", include_str!("../../../worlds/no-passage.world.json")),
     ("office", include_str!("../../../worlds/office.world.json")),
+    ("shortcut", include_str!("../../../worlds/shortcut.world.json")),
     ("small-office", include_str!("../../../worlds/small-office.world.json")),
     ("tour", include_str!("../../../worlds/tour.world.json")),
+    ("two-shortcuts", include_str!("../../../worlds/two-shortcuts.world.json")),
+    ("u-trap", include_str!("../../../worlds/u-trap.world.json")),
 ];
 
 /// A building by name; it is built into the program.

@@ -16,8 +16,8 @@ fn a_figure_is_left_as_svg_and_png_and_says_that_it_is_new() {
 fn the_list_names_every_figure_and_draws_none() {
     let bench = Workbench::new();
     let said = bench.cogmap("figures --list").done().out;
-    assert_eq!(said.lines().count(), 32, "{said}");
-    assert!(said.starts_with("2.1 ") && said.contains("\n3.24 "), "{said}");
+    assert_eq!(said.lines().count(), 48, "{said}");
+    assert!(said.starts_with("2.1 ") && said.contains("\n3.40 "), "{said}");
     assert!(!bench.path("figures").exists());
 }
 

@@ -98,3 +98,51 @@ pub(super) const SIDE_ROOM: Outing = Outing {
     robot: "good",
     mappers: &["perceptual"],
 };
+
+/// §3.3.5, home round a corner: 10 m.
+pub(super) const CORNER: Outing = Outing {
+    place: "round a corner",
+    building: Building::Named("around-a-corner"),
+    route: "tour",
+    robot: "bad",
+    mappers: &["consensus"],
+};
+
+/// §3.3.5, a shortcut: 30 m.
+pub(super) const SHORTCUT: Outing =
+    Outing { place: "two offices", building: Building::Named("shortcut"), ..CORNER };
+
+/// §3.3.5, a narrow obstacle course: 50 m.
+pub(super) const BOXES: Outing =
+    Outing { place: "a course of boxes", building: Building::Named("box-course"), ..CORNER };
+
+/// §3.3.3: a bay that is open toward the robot and closed toward its home.
+pub(super) const BAY: Outing =
+    Outing { place: "a hall with a bay", building: Building::Named("u-trap"), ..CORNER };
+
+/// §3.3.4: three halls, and two doorways that the way out passes by.
+pub(super) const HALLS: Outing =
+    Outing { place: "three halls", building: Building::Named("two-shortcuts"), ..CORNER };
+
+/// The same with the thesis's own program for a mapper, whose map bends.
+pub(super) const BENT_SHORTCUT: Outing = Outing { mappers: &["perceptual"], ..SHORTCUT };
+pub(super) const BENT_HALLS: Outing = Outing { mappers: &["perceptual"], ..HALLS };
+
+/// §3.3.2: a place that is open at its back only, as seen from the way home.
+pub(super) const POCKET: Outing = Outing {
+    place: "a pocket made for it",
+    building: Building::Made(
+        r#"{"format": "cogmap-world/1", "name": "Pocket", "start": {"position": [17.5, 5.5], "heading_deg": 110},
+        "walls": [[[0, 2], [20, 2], [20, 10], [0, 10], [0, 2]],
+            [[13.5, 2], [13.5, 7.2], [13.62, 7.2], [13.62, 2]],
+            [[4.6, 6.4], [9.6, 6.4], [9.6, 2], [9.72, 2], [9.72, 6.52], [4.6, 6.52], [4.6, 6.4]]],
+        "boxes": [{"center": [19.6, 3.2], "size": [0.6, 1.6]}, {"center": [16, 2.4], "size": [1.4, 0.6]},
+            {"center": [11.6, 2.4], "size": [1.6, 0.6]}, {"center": [7.4, 9.7], "size": [1.6, 0.5]},
+            {"center": [0.35, 8.6], "size": [0.6, 1.2]}, {"center": [5.6, 2.35], "size": [1.2, 0.6]}],
+        "routes": {"in": [[17.2, 6.6], [16.4, 7.8], [15.2, 8.5], [13.8, 8.6], [12.4, 8.5], [11, 8.3], [9.6, 8.2],
+            [8.2, 8.2], [6.8, 8.2], [5.4, 8.1], [4, 7.9], [2.8, 7.3], [2.4, 6.3], [2.8, 5.4], [3.6, 4.8], [4.3, 4.6],
+            [3.6, 4.2]]}}"#,
+    ),
+    route: "in",
+    ..CORNER
+};

@@ -1,3 +1,5 @@
+mod going_home;
+
 use super::{
     Drawing, Figure, Runs, corridor, environments, exits, matching, movement, network, placement,
     propagation, reference, route, scan, sight, traditional,
@@ -12,8 +14,10 @@ const fn figure(
     Figure { id, title, shows, make }
 }
 
-/// Every figure of the second and third chapters up to 3.24, in the order of the thesis.
-pub(super) const FIGURES: &[Figure] = &[
+/// Every figure of the second and third chapters, in the order of the thesis.
+pub(super) const FIGURES: [&[Figure]; 2] = [MAPPING, going_home::FIGURES];
+
+const MAPPING: &[Figure] = &[
     figure(
         "2.1",
         "A network of local spaces",

@@ -2,7 +2,10 @@ use std::{collections::BTreeMap, rc::Rc};
 
 use cogmap_geometry::{DVec2, Pose};
 use cogmap_mapping::{Mapper, MapperSetup, StepReport, memory::ConsensusParams};
-use cogmap_simulation::{Driver, MapperJournal, Robot, Session, SessionRecord, Source, World};
+use cogmap_navigation::{Act, Decision, FaithfulParams, StrategySetup};
+use cogmap_simulation::{
+    Command, Driver, MapperJournal, Robot, Session, SessionRecord, Source, Strategy, World,
+};
 
 use crate::worlds;
 
@@ -47,6 +50,11 @@ impl Runs {
     #[must_use]
     pub fn new(seed: u64) -> Self {
         Self { seed, driven: BTreeMap::new() }
+    }
+
+    /// What everything random comes from.
+    pub(super) fn seed(&self) -> u64 {
+        self.seed
     }
 
     /// The drive, to the end of its route.
@@ -111,6 +119,27 @@ pub(super) fn begin(record: SessionRecord) -> Result<Session, String> {
 }
 
 impl Run {
+    /// The same robot on its way home to the letter (§3.3), up to the first decision at which `enough` says
+    /// so, before that is carried out, or to its end.
+    pub(super) fn homeward(
+        &self,
+        params: FaithfulParams,
+        enough: impl Fn(&Session, &Decision) -> bool,
+    ) -> Self {
+        let mut session = self.session.forked();
+        let strategy = Strategy::Robot(StrategySetup::Faithful(params));
+        session.command(Command::GoHome { strategy });
+        let mut seen = session.journal().decisions.len();
+        while session.advance() && !session.at_rest() {
+            let Some(decision) = session.journal().decisions.get(seen) else { continue };
+            seen += 1;
+            if matches!(decision.act, Act::Arrived | Act::Stuck) || enough(&session, decision) {
+                break;
+            }
+        }
+        Self { session, outing: self.outing }
+    }
+
     /// The place in the record of the mapper of that name.
     pub(super) fn index(&self, mapper: &str) -> usize {
         self.outing.mappers.iter().position(|name| *name == mapper).unwrap_or(0)
@@ -156,7 +185,7 @@ impl Run {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figures::outings::SMALL_GOOD;
+    use crate::figures::outings::{CORNER, SMALL_GOOD};
 
     #[test]
     fn a_drive_is_made_once_however_many_figures_show_it() {
@@ -165,5 +194,17 @@ mod tests {
         assert!(Rc::ptr_eq(&first, &second));
         let goal = first.session.world_from_robot().unwrap().position;
         assert!(goal.distance(first.world_from_map().position) > 1.0 && first.length() > 5.0);
+    }
+
+    #[test]
+    fn a_way_home_stops_where_enough_is_seen_or_at_its_end() {
+        let out = Runs::new(1).of(&CORNER).unwrap();
+        let decisions = |run: &Run| run.session.journal().decisions.len();
+        let third =
+            out.homeward(FaithfulParams::default(), |session, _| session.journal().decisions.len() == 3);
+        assert!(decisions(&third) == 3 && third.session.homing().is_some());
+        let home = out.homeward(FaithfulParams::default(), |_, _| false);
+        assert_eq!(home.session.journal().decisions.last().unwrap().act, Act::Arrived);
+        assert_eq!(decisions(&out), 0, "the drive itself goes on for others");
     }
 }
