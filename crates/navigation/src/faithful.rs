@@ -205,8 +205,8 @@ impl Faithful {
             return None;
         }
         let why = match chosen {
-            None => "no free way leads on toward home, so the robot goes back the way it came",
-            Some(_) => "the last decisions led nowhere, so the robot goes back the way it came",
+            None => "no free way leads on toward home",
+            Some(_) => "the last decisions led nowhere",
         };
         self.following = Some(Following::begin(situation, params.tolerance, self.recent.scan()));
         self.patience.renew();
