@@ -84,10 +84,10 @@ test('a building made from a number is driven through at once, and is the same a
     await expect(page.getByRole('button', { name: 'Play' })).toBeDisabled();
     return bench.travelled();
   };
-  await page.getByLabel('World').selectOption('A new building');
-  await page.getByLabel('Number').fill('60');
-  await page.getByLabel('Number').press('Enter');
-  await expect(page.getByText(/An office floor that nobody drew/).first()).toBeVisible();
+  await page.getByRole('combobox', { name: 'World' }).selectOption('A new building');
+  await page.getByRole('spinbutton', { name: 'Number' }).fill('60');
+  await page.getByRole('spinbutton', { name: 'Number' }).press('Enter');
+  await expect(page.getByText(/An office floor that nobody drew/).filter({ visible: true })).toBeVisible();
   await expect.poll(() => bench.travelled()).toBeLessThan(5);
   const way = await end();
   expect(way).toBeGreaterThan(8);
@@ -99,7 +99,7 @@ test('a building made from a number is driven through at once, and is the same a
 test('going to the end stops at any other word', async ({ page }) => {
   const bench = new BenchPage(page);
   await bench.open();
-  await page.getByLabel('World').selectOption('Environment A');
+  await page.getByRole('combobox', { name: 'World' }).selectOption('Environment A');
   await page.keyboard.press('Escape');
   await page.getByRole('heading', { level: 1 }).click();
   await page.keyboard.press('f');
