@@ -75,3 +75,36 @@ test('another seed is another run', async ({ page }) => {
   await page.getByLabel('Seed').press('Enter');
   await expect.poll(async () => JSON.parse((await bench.save('Session')).bytes.toString()).seed).toBe(7);
 });
+
+test('a building made from a number is driven through at once, and is the same another time', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  const end = async () => {
+    await page.getByRole('button', { name: 'To the end' }).click();
+    await expect(page.getByRole('button', { name: 'Play' })).toBeDisabled();
+    return bench.travelled();
+  };
+  await page.getByRole('combobox', { name: 'World' }).selectOption('A new building');
+  await page.getByRole('spinbutton', { name: 'Number' }).fill('60');
+  await page.getByRole('spinbutton', { name: 'Number' }).press('Enter');
+  await expect(page.getByText(/An office floor that nobody drew/).filter({ visible: true })).toBeVisible();
+  await expect.poll(() => bench.travelled()).toBeLessThan(5);
+  const way = await end();
+  expect(way).toBeGreaterThan(8);
+  await page.getByRole('button', { name: 'Start over' }).click();
+  await expect.poll(() => bench.travelled()).toBeLessThan(5);
+  expect(await end()).toBe(way);
+});
+
+test('going to the end stops at any other word', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  await page.getByRole('combobox', { name: 'World' }).selectOption('Environment A');
+  await page.keyboard.press('Escape');
+  await page.getByRole('heading', { level: 1 }).click();
+  await page.keyboard.press('f');
+  await expect.poll(() => bench.travelled()).toBeGreaterThan(1);
+  await page.getByRole('button', { name: 'Pause' }).click();
+  await expect(page.getByRole('button', { name: 'Play' })).toBeEnabled();
+  expect(await bench.travelled()).toBeLessThan(100);
+});

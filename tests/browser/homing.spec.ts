@@ -9,7 +9,7 @@ import { BenchPage } from './bench';
 const cogmap = process.env['COGMAP_BIN'] ?? resolve(__dirname, '../../target/debug/cogmap');
 
 /** How the page says that a robot is home, with the two distances in metres. */
-const HOME = /It stopped (\d+\.\d\d) m from where it began; it believed (\d+\.\d\d) m\./;
+const HOME = /Home: it stopped by itself (\d+\.\d\d) m from where it began; it believes (\d+\.\d\d) m\./;
 
 /** Opens the page and lets the robot drive part of its route as fast as it goes. */
 async function driveOut(bench: BenchPage): Promise<void> {

@@ -27,5 +27,8 @@ mod homing;
 // One session gives the same map natively, in Node and in a browser.
 mod same_bytes;
 
+// Short ways home end as the page's soak test expects them to end.
+mod soak;
+
 // What is stored stays as it is, whatever the mapper.
 mod stable_memory;

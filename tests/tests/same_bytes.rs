@@ -1,9 +1,10 @@
 //! Drives of which each mapper's map has its SHA-256 in `tests/goldens/`: a session driven by hand in
-//! `same-bytes.txt`, the first steps through every designed world in `same-bytes-worlds.txt`. The
-//! tests of `cogmap-wasm` do the same in Node and in a browser and compare with the same files. After
+//! `same-bytes.txt`, the first steps through every designed world in `same-bytes-worlds.txt`; and ways
+//! home with every strategy, their decisions included, in `same-bytes-homing.txt`. The tests of `cogmap-wasm` do the same in Node and in a browser and compare with the same files. After
 //! a wanted change run the tests with `UPDATE_GOLDENS=1`.
 
 mod first_steps;
+mod ways_home;
 
 use std::{env, fs, path::PathBuf};
 
@@ -65,14 +66,26 @@ fn one_session_gives_the_same_bytes_everywhere() {
 fn every_mapper_gives_the_same_bytes_everywhere_in_every_designed_world() {
     let digests: String =
         first_steps::WORLDS.iter().map(|(name, file)| first_steps::digests(name, file)).collect();
+    compare(&digests, "same-bytes-worlds.txt");
+}
+
+#[test]
+fn every_strategy_goes_the_same_way_home_everywhere() {
+    let digests: String =
+        ways_home::WORLDS.iter().map(|(name, file)| ways_home::digests(name, file)).collect();
+    compare(&digests, "same-bytes-homing.txt");
+}
+
+/// Compares a table with its golden, line by line.
+fn compare(table: &str, name: &str) {
     if env::var_os("UPDATE_GOLDENS").is_some() {
-        fs::write(golden("same-bytes-worlds.txt"), &digests).unwrap();
+        fs::write(golden(name), table).unwrap();
     }
-    let known = fs::read_to_string(golden("same-bytes-worlds.txt")).unwrap();
-    for (line, known) in digests.lines().zip(known.lines()) {
+    let known = fs::read_to_string(golden(name)).unwrap();
+    for (line, known) in table.lines().zip(known.lines()) {
         assert_eq!(line, known);
     }
-    assert_eq!(digests.lines().count(), known.lines().count());
+    assert_eq!(table.lines().count(), known.lines().count());
 }
 
 #[test]

@@ -27,6 +27,17 @@ export const strings = {
   setup: {
     title: 'Set-up',
     world: 'World',
+    groups: {
+      everyday: 'Everyday buildings',
+      home: 'Made for finding home',
+      thesis: 'Long loops, as in the thesis',
+      schematic: 'To show one thing',
+      generated: 'Made from a number',
+    },
+    generated: 'A new building',
+    generatedHint: 'An office floor that nobody drew: corridors, rooms, doors and furniture come from its number.',
+    building: 'Number',
+    buildingHint: 'Each number is another office floor, and always the same one',
     robot: 'Robot',
     seed: 'Seed',
   },
@@ -150,9 +161,9 @@ export const strings = {
       const off = `${distance.toFixed(2)} m from where it began`;
       switch (ended) {
         case 'home':
-          return `It stopped ${off}${believed === undefined ? '' : `; it believed ${believed.toFixed(2)} m`}.`;
+          return `Home: it stopped by itself ${off}${believed === undefined ? '' : `; it believes ${believed.toFixed(2)} m`}.`;
         case 'stuck':
-          return `It gave up ${off}: ${why ?? 'it had seen nothing'}.`;
+          return `It gave up, ${off}: ${why ?? 'it had seen nothing'}.`;
         case 'stopped':
           return `You took over ${off}.`;
         case undefined:
@@ -173,6 +184,8 @@ export const strings = {
     play: 'Play',
     pause: 'Pause',
     next: 'Next view',
+    finish: 'To the end',
+    finishHint: 'Go on at once to where the robot has done what it was told',
     timeline: 'Timeline',
     moment: (seconds: number) => `${Math.floor(seconds / 60)}:${(seconds % 60).toFixed(1).padStart(4, '0')}`,
     speed: 'Speed',
@@ -213,6 +226,7 @@ export const strings = {
       { keys: ['↑ ↓ ← →', 'W A S D'], does: 'drive and turn' },
       { keys: ['Space'], does: 'play or pause' },
       { keys: ['.'], does: 'go on to the next view' },
+      { keys: ['F'], does: 'go on at once to where the robot has done what it was told' },
       { keys: ['H'], does: 'go home' },
       { keys: ['X'], does: 'stop the robot' },
       { keys: ['R'], does: 'start over' },

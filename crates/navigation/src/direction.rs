@@ -38,19 +38,25 @@ pub(crate) fn straightest(options: &[MovementOption]) -> Option<usize> {
     Some(for_choice.min_by(|a, b| a.1.score.total_cmp(&b.1.score))?.0)
 }
 
-/// Why an option was chosen, of so many: one sentence for people.
-pub(crate) fn why(option: &MovementOption, options: usize, robot: DVec2, home: DVec2) -> String {
+/// Why an option was chosen, of so many for choice: one sentence for people.
+pub(crate) fn why(option: &MovementOption, choice: usize, robot: DVec2, home: DVec2) -> String {
     let (seen, assumed) = (robot.distance(option.end), option.end.distance(home));
+    if option.detour < 0.05 && assumed < 0.05 {
+        return format!("the straight way home, {seen:.1} m, is seen to be free");
+    }
     if option.detour < 0.05 {
         return format!(
-            "straight ahead to home, {:.1} m: the first {seen:.1} m are seen to be free",
+            "of the straight way home, {:.1} m, the robot sees {seen:.1} m to be free and hopes for the rest",
             seen + assumed
         );
     }
-    let rest = format!("then, it is assumed, {assumed:.1} m straight home");
-    let among = if options == 1 { "the only way on" } else { "the straightest way on of those open" };
+    let among = match choice {
+        1 => "one way on is open".to_owned(),
+        _ => format!("of {choice} ways on that are open this one makes the straightest way home"),
+    };
     format!(
-        "{among}: {seen:.1} m that are seen to be free, {rest}, {:.1} m longer than the straight line",
+        "{among}: {seen:.1} m that the robot sees to be free, then it hopes for {assumed:.1} m straight home, \
+         {:.1} m more than the beeline",
         option.detour
     )
 }

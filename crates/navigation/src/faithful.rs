@@ -205,8 +205,8 @@ impl Faithful {
             return None;
         }
         let why = match chosen {
-            None => "no free way leads on toward home, so the robot goes back the way it came",
-            Some(_) => "the last decisions led nowhere, so the robot goes back the way it came",
+            None => "no free way leads on toward home",
+            Some(_) => "the last decisions led nowhere",
         };
         self.following = Some(Following::begin(situation, params.tolerance, self.recent.scan()));
         self.patience.renew();
@@ -218,7 +218,8 @@ impl Faithful {
     fn go(&mut self, outlook: &Outlook, chosen: usize, situation: &Situation) -> Proposal {
         let option = outlook.options[chosen];
         let before = self.trial.replace(Trial::of(option.end, situation));
-        let why = why(&option, outlook.options.len(), outlook.robot, outlook.home);
+        let choice = outlook.options.iter().filter(|option| !option.barred).count();
+        let why = why(&option, choice, outlook.robot, outlook.home);
         let other = before
             .and_then(|before| before.end(situation))
             .is_none_or(|before| before.distance(option.end) > self.params.options.apart);
@@ -254,7 +255,12 @@ impl Faithful {
         let (wish, why) = if worn_out {
             (Wish::GiveUp, "no way on, and the way that the robot came is blocked too".to_owned())
         } else {
-            let why = format!("the remembered route leads on over {} more waypoints", waypoints.len());
+            let why = format!(
+                "back along the way that the robot came, until a way on toward home comes into sight: the next of \
+                 {} waypoints is {:.1} m away",
+                waypoints.len(),
+                outlook.robot.distance(next)
+            );
             (self.toward(end, situation), why)
         };
         let way = std::iter::once(end).chain(waypoints.iter().rev().copied()).collect();

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     Act, Atlas, Belief, Decision, HomingEvent, StrategySetup, Vigilance, VigilanceParams,
+    deed::deed,
     strategy::{Mind, Proposal, Situation, Wish},
 };
 
@@ -91,11 +92,12 @@ impl Homing {
             Some(distance) if distance <= self.params.arrived => Proposal::arrived(distance),
             _ => self.mind.decide(&situation),
         };
-        let act = self.act(&belief, proposal.wish);
+        let (act, deed) = self.act(&belief, proposal.wish);
         if let Act::Step { travel, .. } = act {
             self.vigilance.expect(travel);
         }
-        Some(self.decision(mapper, &belief, proposal, act))
+        let decision = self.decision(mapper, &belief, proposal, act);
+        Some(Decision { why: news(&decision) + &decision.why + &deed, ..decision })
     }
 
     /// The places as they lie to the one where the robot is.
@@ -125,27 +127,32 @@ impl Homing {
         }
     }
 
-    /// A turn that is not small comes alone: what it brings into view may change the robot's mind.
-    fn act(&self, belief: &Belief, wish: Wish) -> Act {
+    /// What a wish comes to, and how that is said. A turn that is not small comes alone: what it brings
+    /// into view may change the robot's mind.
+    fn act(&self, belief: &Belief, wish: Wish) -> (Act, String) {
+        let said = |act, wanted| (act, deed(act, wanted));
         let toward = match wish {
-            Wish::Arrive => return Act::Arrived,
-            Wish::GiveUp => return Act::Stuck,
+            Wish::Arrive => return said(Act::Arrived, 0.0),
+            Wish::GiveUp => return said(Act::Stuck, 0.0),
             Wish::Face(bearing) => {
                 let turn = normalize_angle(bearing - belief.here_from_robot.heading);
-                return Act::Step { turn, travel: 0.0 };
+                return said(Act::Step { turn, travel: 0.0 }, 0.0);
             }
             Wish::GoTo(point) => point,
         };
         let ahead = toward - belief.here_from_robot.position;
         let turn = normalize_angle(trig::atan2(ahead.y, ahead.x) - belief.here_from_robot.heading);
         if turn.abs() > self.params.look {
-            return Act::Step { turn, travel: 0.0 };
+            return said(Act::Step { turn, travel: 0.0 }, 0.0);
         }
         if self.vigilance.somebody_passes() {
-            return Act::Step { turn: 0.0, travel: 0.0 };
+            return (
+                Act::Step { turn: 0.0, travel: 0.0 },
+                "; somebody is walking by, so it waits".to_owned(),
+            );
         }
         let wanted = ahead.length().min(self.params.step_max);
-        Act::Step { turn, travel: self.vigilance.free_way(turn, wanted) }
+        said(Act::Step { turn, travel: self.vigilance.free_way(turn, wanted) }, wanted)
     }
 
     fn decision(&mut self, mapper: &Mapper, belief: &Belief, proposal: Proposal, act: Act) -> Decision {
@@ -175,4 +182,15 @@ impl Homing {
             events,
         }
     }
+}
+
+/// What has just come about and is behind a decision, as the beginning of its sentence.
+fn news(decision: &Decision) -> String {
+    let whys = decision.events.iter().filter_map(|event| match event {
+        HomingEvent::DeadEnd { why, .. }
+        | HomingEvent::FailsafeOn { why }
+        | HomingEvent::FailsafeOff { why } => Some(why),
+        _ => None,
+    });
+    whys.filter(|why| !decision.why.contains(*why)).map(|why| format!("{why}; ")).collect()
 }

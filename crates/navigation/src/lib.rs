@@ -13,6 +13,7 @@
 mod belief;
 mod dead_ends;
 mod decision;
+mod deed;
 mod direction;
 mod failsafe;
 mod faithful;

@@ -260,7 +260,8 @@ impl Recommended {
         let guess = match unseen {
             unseen if barrier > 0 => {
                 format!(
-                    ", {unseen:.1} m of it through places that it has not seen, and past a wall that it saw long ago"
+                    ", {unseen:.1} m of it through places that it has not seen free, and through where it saw a wall \
+                     long ago, which it hopes is gone"
                 )
             }
             unseen if unseen > 0.5 => {
@@ -270,7 +271,10 @@ impl Recommended {
         };
         match lead {
             Lead::OwnWay => {
-                format!("{reason}the robot trusts only its eyes and the way that it came: {length:.1} m")
+                format!(
+                    "{reason}plans have got the robot nowhere, so it goes by its eyes and the way that it came \
+                     alone: {length:.1} m home"
+                )
             }
             Lead::Planning => {
                 format!("{reason}the best way home that the robot can think of is {length:.1} m long{guess}")

@@ -66,7 +66,11 @@ impl Retrace {
         };
         let why = match wish {
             Wish::GiveUp => "something stands in the way that the robot came".to_owned(),
-            _ => format!("the way that the robot came leads over {} more waypoints", left.len()),
+            _ => format!(
+                "the robot goes back the way that it came: the next of {} waypoints is {:.1} m away",
+                left.len(),
+                next.distance(situation.belief.here_from_robot.position)
+            ),
         };
         let way = left.iter().rev().copied().collect();
         let waypoints = left.to_vec();

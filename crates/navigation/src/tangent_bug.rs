@@ -87,7 +87,9 @@ impl TangentBug {
         if situation.free_toward(target) >= here.distance(target).min(looks_for) {
             self.boundary = None;
             self.heuristic = here.distance(target);
-            return self.go(situation, target, "nothing that it sees stands between the robot and home");
+            let why =
+                format!("home is {:.1} m away, and the robot sees nothing in between", here.distance(target));
+            return self.go(situation, target, &why);
         }
         if let Some(boundary) = self.boundary {
             let heading = situation.belief.here_from_robot.heading;
@@ -100,7 +102,12 @@ impl TangentBug {
             return self.begin(situation, target, &rays);
         }
         self.heuristic = self.heuristic.min(cost);
-        self.go(situation, end, "something is in the way: round the end of it that makes the shortest way")
+        let why = format!(
+            "home is {:.1} m away with something in between: the robot goes for the end of it that makes the \
+             shortest way, {cost:.1} m",
+            here.distance(target)
+        );
+        self.go(situation, end, &why)
     }
 
     fn look(&self, situation: &Situation) -> Vec<Ray> {
@@ -168,7 +175,7 @@ impl TangentBug {
                 return self.go(
                     situation,
                     end,
-                    "a place has come into view that is nearer to home than the boundary",
+                    "the robot sees a place that is nearer to home than all that it went along, and goes there",
                 );
             }
         }
@@ -180,7 +187,14 @@ impl TangentBug {
         let round = boundary.left && away < self.params.round;
         self.boundary = Some(boundary);
         match self.along(rays, heading, boundary.side) {
-            Some(end) if !round => self.go(situation, end, "the robot goes along what is in its way"),
+            Some(end) if !round => {
+                let why = format!(
+                    "no way on leads nearer to home, so the robot goes along what is in its way until it sees a place \
+                     that is less than {:.1} m from home",
+                    boundary.followed
+                );
+                self.go(situation, end, &why)
+            }
             _ => {
                 let why = "the robot has gone round what is in its way without finding a gap".to_owned();
                 Proposal::new(Wish::GiveUp, Mode::Direction, why)

@@ -31,10 +31,15 @@ impl Sheet {
     /// The view that shows `bounds` and leaves room for title and legend.
     #[must_use]
     pub fn fit(&self, scene: &Scene, bounds: Bounds) -> Camera {
-        let footer = Footer::of(scene, self);
         let top = if self.title { TITLE_HEIGHT } else { MARGIN };
-        let margins = Margins { top, bottom: footer.height + MARGIN, side: MARGIN };
+        let margins = Margins { top, bottom: self.strip(scene) + MARGIN, side: MARGIN };
         Camera::fit(bounds, self.width, self.height, margins)
+    }
+
+    /// How high the strip below the map is that scale bar and legend take, pixels.
+    #[must_use]
+    pub fn strip(&self, scene: &Scene) -> f64 {
+        Footer::of(scene, self).height
     }
 
     /// What it shows of a scene.

@@ -190,7 +190,8 @@ impl Laboratory {
         map(self.run.session(), mapper)
     }
 
-    /// Paints a view on its canvas, which has `density` pixels to one of the page.
+    /// Paints a view on its canvas, which has `density` pixels to one of the page. `true` if room had to be
+    /// made, so that what was painted of other views before shows too little.
     ///
     /// # Errors
     /// What is no view or no look, and what the browser has against painting.
@@ -200,17 +201,21 @@ impl Laboratory {
         context: &OffscreenCanvasRenderingContext2d,
         look: &Ts<Look>,
         density: f64,
-    ) -> Result<(), JsError> {
+    ) -> Result<bool, JsError> {
         let (view, look) = (view.to_rust()?, look.to_rust()?);
         let scene = scene(self.run.session(), view, self.shown);
-        self.views.make_room(&scene);
         let DVec2 { x: width, y: height } = self.views.size(view);
         let legend = self.views.has_legend(view);
-        let camera = Some(self.views.camera());
-        let sheet = Sheet { width, height, theme: look.into(), camera, title: false, legend };
+        let sheet = Sheet { width, height, theme: look.into(), camera: None, title: false, legend };
+        let before = self.views.camera();
+        self.views.make_room(&scene);
+        self.views.make_room_for_legend(sheet.strip(&scene));
+        let camera = self.views.camera();
         let place = Place { corner: DVec2::ZERO, density };
         let canvas = self.canvases.entry(view).or_default();
-        Ok(canvas.paint(context, &scene, &sheet, place).map_err(Failure::from)?)
+        let sheet = Sheet { camera: Some(camera), ..sheet };
+        canvas.paint(context, &scene, &sheet, place).map_err(Failure::from)?;
+        Ok(camera != before)
     }
 
     /// Paints the world and every memory in a row, with titles and legends, each in a square of that

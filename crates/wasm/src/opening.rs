@@ -3,7 +3,7 @@
 use cogmap_formats::{carmen, gzip, session, sha256_hex, world};
 use cogmap_geometry::DVec2;
 use cogmap_mapping::MapperSetup;
-use cogmap_simulation::{Driver, Robot, Session, SessionRecord, Source, Strategy, World};
+use cogmap_simulation::{Building, Driver, Robot, Session, SessionRecord, Source, Strategy, World};
 
 use crate::{
     failure::Failure,
@@ -11,11 +11,22 @@ use crate::{
     setup::{Opening, Setup},
 };
 
-/// A run in one of the page's worlds.
+/// How a building is asked for that no file holds, here and on the command line.
+const GENERATED: &str = "generated:";
+
+/// A run in one of the page's worlds, or in a building made from a seed.
 pub(crate) fn start(setup: &Setup) -> Result<Run, Failure> {
-    let world = world::read(&setup.world, &setup.file)?;
+    let world = match setup.world.strip_prefix(GENERATED) {
+        Some(seed) => generated(seed)?,
+        None => world::read(&setup.world, &setup.file)?,
+    };
     let (robot, mappers) = (robot(&setup.robot)?, mappers(&setup.mappers)?);
     drive(world, robot, mappers, setup.seed, label(&setup.file, false))
+}
+
+fn generated(seed: &str) -> Result<World, Failure> {
+    let unknown = |_| Failure::new(&format!("there is no building `{seed}`: a whole number makes one"));
+    seed.parse().map(Building::generate).map_err(unknown)
 }
 
 /// A run of what somebody brought, by its content. `other` may be the log that a session needs.

@@ -1,4 +1,4 @@
-use cogmap_geometry::DVec2;
+use cogmap_geometry::{DVec2, Pose};
 use cogmap_mapping::MapperSetup;
 use cogmap_simulation::{Command, Driver, Robot, Session, Source, Stamped};
 
@@ -142,7 +142,8 @@ impl Run {
     pub(crate) fn status(&self) -> Status {
         let session = &self.session;
         let journal = session.journal();
-        let truth_known = session.world_from_robot().is_some();
+        let pose = session.world_from_robot();
+        let truth_known = pose.is_some();
         Status {
             source: if truth_known { SourceKind::World } else { SourceKind::Log },
             foreign: self.label.foreign,
@@ -158,6 +159,7 @@ impl Run {
             on_route: self.driver.is_some(),
             collisions: journal.mappers.first().map_or(0, |mapper| mapper.collisions().count()),
             travelled: length_of(if truth_known { &journal.truth } else { &journal.odometry }),
+            pose: pose.map(|Pose { position, heading }| [position.x, position.y, heading]),
             memories: memories(session),
             homing: homing(session),
         }

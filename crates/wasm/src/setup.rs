@@ -11,7 +11,7 @@ use crate::layers::Layers;
 pub struct Setup {
     /// The name of the world file, for messages.
     pub file: String,
-    /// The text of the world file.
+    /// The text of the world file, or `generated:SEED` for an office floor made from that seed.
     pub world: String,
     /// One of [`Choices::robots`].
     pub robot: String,

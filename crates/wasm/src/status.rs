@@ -34,6 +34,8 @@ pub struct Status {
     pub collisions: usize,
     /// Metres driven, as the odometry tells it.
     pub travelled: f64,
+    /// Where the robot truly is and where it faces, metres and radians; a log does not say.
+    pub pose: Option<[f64; 3]>,
     /// What each mapper has in mind.
     pub memories: Vec<MemoryStatus>,
     /// How it goes with going home; nothing where that is not what the robot does or did last.

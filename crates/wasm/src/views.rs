@@ -13,8 +13,10 @@ const GROWTH: f64 = 0.08;
 const EMPTY: f64 = 5.0;
 /// Views at least this wide and high have room for their legend, pixels.
 const ROOM_FOR_LEGEND: DVec2 = DVec2::new(440.0, 380.0);
-/// Pixels kept free around everything, with the scale bar and the legend below.
+/// Pixels kept free around everything, with the scale bar and a legend of three rows below.
 const AROUND_LEGEND: Margins = Margins { top: 20.0, bottom: 116.0, side: 20.0 };
+/// Pixels kept free between everything and a longer legend.
+const ABOVE_LEGEND: f64 = 16.0;
 /// Pixels kept free around everything, with the scale bar alone below.
 const AROUND: Margins = Margins { top: 12.0, bottom: 44.0, side: 12.0 };
 
@@ -52,11 +54,13 @@ pub(crate) struct Views {
     chosen: Option<Camera>,
     /// What everything is taken to be.
     framed: Option<Bounds>,
+    /// The highest strip of scale bar and legend so far, pixels.
+    strip: f64,
 }
 
 impl Views {
     pub(crate) fn new() -> Self {
-        Self { sizes: BTreeMap::new(), chosen: None, framed: None }
+        Self { sizes: BTreeMap::new(), chosen: None, framed: None, strip: 0.0 }
     }
 
     /// The size of a view, pixels.
@@ -66,6 +70,7 @@ impl Views {
 
     pub(crate) fn resize(&mut self, view: View, size: DVec2) {
         self.sizes.insert(view, size.max(DVec2::ONE));
+        self.strip = 0.0;
     }
 
     /// Notes that a view has left the page.
@@ -83,7 +88,9 @@ impl Views {
         self.chosen.unwrap_or_else(|| {
             let empty = Bounds { min: DVec2::splat(-EMPTY), max: DVec2::splat(EMPTY) };
             let size = self.sizes.values().copied().reduce(DVec2::min).unwrap_or(DVec2::ONE);
-            let margins = if size.cmpge(ROOM_FOR_LEGEND).all() { AROUND_LEGEND } else { AROUND };
+            let bottom = AROUND_LEGEND.bottom.max(self.strip + ABOVE_LEGEND);
+            let has_legend = size.cmpge(ROOM_FOR_LEGEND).all();
+            let margins = if has_legend { Margins { bottom, ..AROUND_LEGEND } } else { AROUND };
             Camera::fit(self.framed.unwrap_or(empty), size.x, size.y, margins)
         })
     }
@@ -97,6 +104,11 @@ impl Views {
             Some(framed) if framed.union(bounds) == framed => framed,
             Some(framed) => grown(framed.union(bounds)),
         });
+    }
+
+    /// Sees to it that nothing lies below a strip of scale bar and legend so high, pixels.
+    pub(crate) fn make_room_for_legend(&mut self, strip: f64) {
+        self.strip = self.strip.max(strip);
     }
 
     pub(crate) fn drag(&mut self, by: DVec2) {
@@ -170,6 +182,16 @@ mod tests {
         let before = views.camera();
         views.make_room(&line_to(DVec2::new(6.1, 4.1)));
         assert_eq!(views.camera(), before);
+    }
+
+    #[test]
+    fn a_long_legend_covers_nothing() {
+        let far = DVec2::new(3.0, -12.0);
+        let mut views = views_of(&line_to(far));
+        let lowest = |views: &Views| views.camera().to_pixels(far, 640.0, 480.0).y;
+        assert!(lowest(&views) > 300.0);
+        views.make_room_for_legend(180.0);
+        assert!(lowest(&views) <= 300.0);
     }
 
     #[test]

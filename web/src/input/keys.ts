@@ -4,6 +4,7 @@ import type { Direction } from '../state/held.svelte';
 export type Action =
   | 'toggle'
   | 'next'
+  | 'finish'
   | 'home'
   | 'stop'
   | 'restart'
@@ -34,6 +35,7 @@ const DIRECTIONS: Record<string, Direction> = {
 const ACTIONS: Record<string, Action> = {
   ' ': 'toggle',
   '.': 'next',
+  f: 'finish',
   h: 'home',
   x: 'stop',
   r: 'restart',

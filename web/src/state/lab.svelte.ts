@@ -1,7 +1,7 @@
 import { proxy, transfer, wrap, type Remote } from 'comlink';
 import { strings } from '../strings';
 import type { Bench } from '../worker/bench';
-import type { Choice, Layers, Notice, Offer, Pace, Saved, View } from '../worker/protocol';
+import { GENERATED, type Choice, type Layers, type Notice, type Offer, type Pace, type Saved, type View } from '../worker/protocol';
 import type { Look, Order, Status } from '../wasm/cogmap_wasm';
 import { save } from './save';
 
@@ -19,7 +19,7 @@ const OPENING_VIEWS = 6;
 /** The one owner of what the page shows; the run itself lives in a worker. */
 export class Lab {
   offer = $state.raw<Offer>();
-  choice = $state.raw<Choice>({ world: OPENING_WORLD, robot: '', mappers: [], seed: 1 });
+  choice = $state.raw<Choice>({ world: OPENING_WORLD, building: 1, robot: '', mappers: [], seed: 1 });
   /** How the robot finds the way when it is told to go home. */
   strategy = $state('');
   status = $state.raw<Status>();
@@ -47,6 +47,13 @@ export class Lab {
 
   /** The robot on its way home, while it is. */
   readonly going = $derived(this.status?.homing?.ended === undefined ? this.status?.homing : undefined);
+
+  /** What is worth knowing about the building of the page's that the robot is in. */
+  readonly about = $derived.by(() => {
+    if (!this.status || this.status.foreign) return undefined;
+    if (this.choice.world === GENERATED) return strings.setup.generatedHint;
+    return this.offer?.worlds.find(({ file }) => file === this.choice.world)?.description;
+  });
 
   /** The mappers whose memories are shown. */
   readonly mappers = $derived(this.status?.memories.map(({ mapper }) => mapper) ?? []);
@@ -182,6 +189,7 @@ export class Lab {
   play = (): void => void this.bench.play(true);
   toggle = (): void => void this.bench.play(!this.running);
   next = (): void => void this.bench.next();
+  finish = (): void => void this.bench.finish();
   jump = (position: number): void => void this.bench.jump(position);
   drag = (x: number, y: number): void => void this.bench.drag(x, y);
   fit = (): void => void this.bench.fit();

@@ -1,8 +1,15 @@
-import init, { Laboratory, type Layers, type Look, type Order, type SourceKind } from '../wasm/cogmap_wasm';
+import init, {
+  Laboratory,
+  type Layers,
+  type Look,
+  type Order,
+  type SourceKind,
+  type Status,
+} from '../wasm/cogmap_wasm';
 import { Clock } from './clock';
 import { Easel } from './easel';
-import type { Brought, Choice, Notice, Offer, Pace, Saved, View } from './protocol';
-import { worlds } from './worlds';
+import { GENERATED, type Brought, type Choice, type Notice, type Offer, type Pace, type Saved, type View } from './protocol';
+import { worlds, type BundledWorld } from './worlds';
 
 /** How often the page is told what happens, milliseconds. */
 const NOTICE_INTERVAL = 40;
@@ -19,6 +26,8 @@ export class Bench {
   private listen: (notice: Notice) => void = () => undefined;
   private noticed = 0;
   private playing = true;
+  /** Set while the run hurries to its end. */
+  private hurry: symbol | undefined;
   /** Drives are watched, logs are mapped as fast as it goes, until somebody wants it otherwise. */
   private readonly paces: Record<SourceKind, Pace> = { world: 2, log: 'full' };
   private source: SourceKind = 'world';
@@ -30,7 +39,7 @@ export class Bench {
     this.listen = listen;
     const choices = Laboratory.choices();
     this.layers = choices.layers;
-    return { choices, worlds: worlds.map(({ file, name }) => ({ file, name })) };
+    return { choices, worlds: worlds.map(({ text: _, ...world }) => world) };
   }
 
   /** Takes over the canvas of a view that has come to the page. */
@@ -51,11 +60,9 @@ export class Bench {
    * `views` views on its way already.
    */
   start(choice: Choice, views = 0): void {
-    const world = worlds.find(({ file }) => file === choice.world);
-    if (!world) throw new Error(`There is no world called ${choice.world}.`);
     const { robot, mappers, seed } = choice;
-    const file = `${world.file}.world.json`;
-    const laboratory = new Laboratory({ world: world.text, file, robot, mappers, seed });
+    const { file, text } = building(choice);
+    const laboratory = new Laboratory({ world: text, file: `${file}.world.json`, robot, mappers, seed });
     for (let view = 0; view < views; view += 1) laboratory.advance_to_next_view();
     this.use(laboratory);
     this.before?.free();
@@ -102,11 +109,13 @@ export class Bench {
 
   /** Ends the playing of the route; from here on the robot waits for orders. */
   takeOver(): void {
+    this.hurry = undefined;
     this.laboratory?.take_over();
     this.refresh();
   }
 
   play(playing: boolean): void {
+    this.hurry = undefined;
     this.playing = playing;
     this.refresh();
   }
@@ -118,16 +127,30 @@ export class Bench {
 
   /** Goes on until the next view is taken, then pauses. */
   next(): void {
-    this.playing = false;
+    this.play(false);
     this.laboratory?.advance_to_next_view();
+  }
+
+  /**
+   * Lets the run go on, unseen and as fast as it goes, until nothing is left to happen; whatever else
+   * is wanted meanwhile ends it.
+   */
+  async finish(): Promise<Status> {
+    this.play(false);
+    const hurry = (this.hurry = Symbol('hurry'));
+    while (this.hurry === hurry && this.clock.rush(this.mounted())) {
+      this.notify(performance.now());
+      await new Promise((heard) => setTimeout(heard));
+    }
+    if (this.hurry === hurry) this.hurry = undefined;
     this.refresh();
+    return this.mounted().status();
   }
 
   /** Goes to any moment of the run. */
   jump(position: number): void {
-    this.playing = false;
+    this.play(false);
     this.laboratory?.jump(position);
-    this.refresh();
   }
 
   /** Runs what was brought from its beginning. */
@@ -243,7 +266,14 @@ export class Bench {
     if (!this.laboratory) return;
     this.noticed = now;
     const status = this.laboratory.status();
-    this.listen({ status, playing: this.playing, pace: this.paces[status.source] });
+    this.listen({ status, playing: this.playing || this.hurry !== undefined, pace: this.paces[status.source] });
   }
 }
 
+/** The building of a choice: one that comes with the page, or one that its number makes. */
+function building({ world, building }: Choice): Pick<BundledWorld, 'file' | 'text'> {
+  if (world === GENERATED) return { file: `${GENERATED}-${building}`, text: `${GENERATED}:${building}` };
+  const bundled = worlds.find(({ file }) => file === world);
+  if (!bundled) throw new Error(`There is no world called ${world}.`);
+  return bundled;
+}

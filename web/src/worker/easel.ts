@@ -63,12 +63,19 @@ export class Easel {
 
   paintNow(laboratory: Laboratory): void {
     const begun = performance.now();
-    for (const [view, { context }] of this.sheets) {
-      laboratory.paint(view, context, this.look, this.density);
-    }
+    if (this.paintAll(laboratory)) this.paintAll(laboratory);
     const spent = performance.now() - begun;
     this.rested = begun + spent / PAINTING_SHARE - spent;
     this.stale = false;
+  }
+
+  /** Paints every view; returns whether one of them needed more room than those before it were given. */
+  private paintAll(laboratory: Laboratory): boolean {
+    let moved = false;
+    for (const [view, { context }] of this.sheets) {
+      moved = laboratory.paint(view, context, this.look, this.density) || moved;
+    }
+    return moved;
   }
 
   /** The world and every memory with titles and legends, side by side. */

@@ -5,9 +5,18 @@ export type { Layers, View } from '../wasm/cogmap_wasm';
 /** How fast time passes: a factor of real time, or as fast as the machine goes. */
 export type Pace = number | 'full';
 
-/** A run in a building that comes with the page. */
+/** The world that is no file: an office floor made from a number. */
+export const GENERATED = 'generated';
+
+/** What the buildings that come with the page are for. */
+export const WORLD_GROUPS = ['everyday', 'home', 'thesis', 'schematic'] as const;
+export type WorldGroup = (typeof WORLD_GROUPS)[number];
+
+/** A run in a building that comes with the page, or in one made from a number. */
 export interface Choice {
   world: string;
+  /** Which floor, where the world is `GENERATED`. */
+  building: number;
   robot: string;
   /** Each shows its memory; the first tells the story. */
   mappers: string[];
@@ -30,7 +39,7 @@ export interface Notice {
 /** What there is to choose from, and what is chosen at first. */
 export interface Offer {
   choices: Choices;
-  worlds: { file: string; name: string }[];
+  worlds: { file: string; name: string; group: WorldGroup; description: string }[];
 }
 
 /** A file that is ready to be saved. */

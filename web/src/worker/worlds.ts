@@ -1,26 +1,18 @@
+import { WORLD_GROUPS, type WorldGroup } from './protocol';
+
 const files = import.meta.glob<string>('../../../worlds/*.world.json', {
   query: '?raw',
   import: 'default',
   eager: true,
 });
 
-/** Everyday buildings first, then those for finding home, the long tours, then the schematic ones; others follow by name. */
-const ORDER = [
-  'office',
-  'small-office',
-  'around-a-corner',
-  'shortcut',
-  'two-shortcuts',
-  'box-course',
-  'u-trap',
-  'long-office',
-  'environment-a',
-  'environment-b',
-  'tour',
-  'long-corridor',
-  'narrow-passage',
-  'no-passage',
-];
+/** What there is, in the order in which it is offered. */
+const GROUPS = {
+  everyday: ['office', 'small-office', 'long-office'],
+  home: ['around-a-corner', 'shortcut', 'two-shortcuts', 'u-trap', 'box-course'],
+  thesis: ['environment-a', 'environment-b', 'tour'],
+  schematic: ['long-corridor', 'narrow-passage', 'no-passage'],
+} as const;
 
 /** A building that comes with the page. */
 export interface BundledWorld {
@@ -28,20 +20,31 @@ export interface BundledWorld {
   file: string;
   /** What people call it. */
   name: string;
+  /** Among which it is offered. */
+  group: WorldGroup;
+  /** What is worth knowing about it, a sentence or two. */
+  description: string;
   /** The world file as it was written. */
   text: string;
 }
 
 /** The buildings that come with the page, in the order in which they are offered. */
 export const worlds: BundledWorld[] = Object.entries(files)
-  .map(([path, text]) => ({
-    file: path.replace(/^.*\//, '').replace(/\.world\.json$/, ''),
-    name: (JSON.parse(text) as { name: string }).name,
-    text,
-  }))
+  .map(([path, text]) => {
+    const { name, description } = JSON.parse(text) as { name: string; description: string };
+    const file = path.replace(/^.*\//, '').replace(/\.world\.json$/, '');
+    return { file, name, group: groupOf(file), description, text };
+  })
   .sort((one, other) => rank(one) - rank(other) || one.name.localeCompare(other.name));
 
+/** A world that is in none of the groups is one of every day. */
+function groupOf(file: string): WorldGroup {
+  const found = WORLD_GROUPS.find((group) => (GROUPS[group] as readonly string[]).includes(file));
+  return found ?? 'everyday';
+}
+
 function rank({ file }: BundledWorld): number {
-  const rank = ORDER.indexOf(file);
-  return rank < 0 ? ORDER.length : rank;
+  const order: readonly string[] = Object.values(GROUPS).flat();
+  const rank = order.indexOf(file);
+  return rank < 0 ? order.length : rank;
 }

@@ -184,7 +184,7 @@ impl Rescue {
                 events,
             );
         }
-        let why = "every way that the robot knows or can think of seems closed: it looks around".to_owned();
+        let why = "every way home that the robot knows or can think of seems closed".to_owned();
         let bearing = situation.belief.here_from_robot.heading + trig::FRAC_PI_2;
         Proposal::new(Wish::Face(bearing), mode, why)
     }

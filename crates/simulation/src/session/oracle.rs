@@ -64,7 +64,9 @@ impl Oracle {
         let command = self.command(drive);
         let mut decision = match command {
             Ok(Some(Command::Step { turn, travel })) if distance > ARRIVED => {
-                plain(step, Act::Step { turn, travel }, format!("the start is {distance:.2} m away"))
+                let why =
+                    format!("one who sees the building leads the way: the start is {distance:.1} m off");
+                plain(step, Act::Step { turn, travel }, why)
             }
             _ if distance <= ARRIVED => {
                 plain(step, Act::Arrived, format!("the start is {distance:.2} m away"))

@@ -2,6 +2,8 @@
 
 #[path = "../../../../tests/tests/same_bytes/first_steps.rs"]
 mod first_steps;
+#[path = "../../../../tests/tests/same_bytes/ways_home.rs"]
+mod ways_home;
 
 use cogmap_wasm::Laboratory;
 use js_sys::{Error, JSON, Reflect};
@@ -21,6 +23,7 @@ const CELL: &str = r#"{
 const SAME_SESSION: &str = include_str!("../../../../tests/goldens/same-bytes.session.json");
 const SAME_BYTES: &str = include_str!("../../../../tests/goldens/same-bytes.txt");
 const SAME_WORLDS: &str = include_str!("../../../../tests/goldens/same-bytes-worlds.txt");
+const SAME_HOMING: &str = include_str!("../../../../tests/goldens/same-bytes-homing.txt");
 
 fn ts<T: Tsify>(json: &str) -> Ts<T> {
     Ts::new_unchecked(JSON::parse(json).unwrap())
@@ -282,4 +285,27 @@ fn every_mapper_gives_the_same_bytes_everywhere_in_every_designed_world() {
         }
     }
     assert_eq!(known.next(), None);
+}
+
+#[wasm_bindgen_test]
+fn every_strategy_goes_the_same_way_home_everywhere() {
+    let mut known = SAME_HOMING.lines();
+    for (name, file) in ways_home::WORLDS {
+        for line in ways_home::digests(name, file).lines() {
+            assert_eq!(Some(line), known.next());
+        }
+    }
+    assert_eq!(known.next(), None);
+}
+
+#[wasm_bindgen_test]
+fn a_building_is_made_from_a_number_and_its_robot_stands_where_the_status_says() {
+    let mut laboratory = begin("generated:7", "bad").ok().unwrap();
+    assert_eq!(told(&laboratory, "name"), JsValue::from("Office floor 7"));
+    let pose = |laboratory: &Laboratory| told(laboratory, "pose").unchecked_into::<js_sys::Array>().join(" ");
+    let before = pose(&laboratory);
+    laboratory.advance_to_next_view();
+    laboratory.advance_to_next_view();
+    assert_ne!(pose(&laboratory), before);
+    assert!(message(begin("generated:castle", "bad")).contains("castle"));
 }
