@@ -43,7 +43,7 @@ impl Default for Footing {
             tight: 0.26,
             tight_cost: 3.0,
             soft: 0.40,
-            soft_cost: 1.6,
+            soft_cost: 1.3,
             near: 5.0,
             recent: 10,
             barrier: 100.0,
