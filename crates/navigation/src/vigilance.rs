@@ -1,8 +1,13 @@
 use std::collections::VecDeque;
 
-use cogmap_geometry::{DVec2, Pose, trig};
-use cogmap_mapping::perception::{Reading, Scan};
+use cogmap_geometry::{DVec2, Metric, Pose, trig};
+use cogmap_mapping::perception::Reading;
+
 use serde::{Deserialize, Serialize};
+
+mod sight;
+
+use sight::{NEAR, Seen, Sight, sees_past};
 
 /// What [`Vigilance`] goes by.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -46,9 +51,6 @@ impl Default for VigilanceParams {
     }
 }
 
-/// Only what is nearer than this can have gone away, metres: farther off it is in nobody's way.
-const NEAR: f64 = 2.0;
-
 /// Watches where the robot is about to go, on scans alone: whatever the map says, nothing is run
 /// into that was seen a moment ago. Ours; the thesis leaves it to its robot.
 #[derive(Clone, Debug)]
@@ -70,13 +72,10 @@ const LATE: f64 = 0.25;
 /// How long before a scan that it is compared with was taken, seconds.
 const MOMENT: f64 = 0.2;
 
-/// The points of a scan, in the odometry's frame; over so short a way odometry does not drift.
-#[derive(Clone, Debug)]
-struct Sight {
-    t: f64,
-    odom_from_robot: Pose,
-    points: Vec<DVec2>,
-}
+/// Of scans that were taken nearer to each other than this, metres …
+const SAME_PLACE: f64 = 0.1;
+/// … and turned by less, radians, the middle one is not kept.
+const SAME_VIEW: f64 = 20.0 * trig::PI / 180.0;
 
 impl Vigilance {
     /// A watch that has seen nothing yet.
@@ -94,7 +93,6 @@ impl Vigilance {
 
     /// Takes a scan in.
     pub fn observe(&mut self, reading: &Reading) {
-        let odom_from_laser = reading.odom_from_robot * reading.scan.robot_from_laser;
         let here = reading.odom_from_robot;
         self.speed = self.sights.back().map_or(0.0, |last| {
             let (way, time) = (last.odom_from_robot.from_here(here).position.x, reading.t - last.t);
@@ -103,17 +101,25 @@ impl Vigilance {
         self.sights
             .retain(|sight| sight.odom_from_robot.position.distance(here.position) <= self.params.reach);
         for sight in &mut self.sights {
-            sight.forget_what_is_gone(odom_from_laser, reading, self.params.gone);
+            sight.forget_what_is_gone(reading, self.params.gone);
         }
         self.moving = self.nearest_moving(reading);
         self.before.push_back(reading.clone());
         while self.before.get(1).is_some_and(|later| later.t <= reading.t - MOMENT) {
             self.before.pop_front();
         }
-        let points = (0..reading.scan.ranges.len())
-            .filter_map(|beam| reading.scan.point(beam))
-            .map(|point| odom_from_laser * point);
-        self.sights.push_back(Sight { t: reading.t, odom_from_robot: here, points: points.collect() });
+        self.sights.push_back(Sight::of(reading));
+        self.thin();
+    }
+
+    /// Drops what tells little more than its neighbours, then the oldest.
+    fn thin(&mut self) {
+        if let [.., before, _, last] = self.sights.make_contiguous() {
+            let moved = before.odom_from_robot.from_here(last.odom_from_robot);
+            if moved.position.norm() < SAME_PLACE && moved.heading.abs() < SAME_VIEW {
+                self.sights.remove(self.sights.len() - 2);
+            }
+        }
         if self.sights.len() > self.params.scans {
             self.sights.pop_front();
         }
@@ -129,8 +135,8 @@ impl Vigilance {
         let (origin, along) = (ahead.position, ahead.forward());
         let widest = half_width + astray * wanted * wanted.sqrt();
         let mut free = wanted;
-        for &point in self.sights.iter().flat_map(|sight| &sight.points) {
-            let seen = point - origin;
+        for &Seen { at, .. } in self.sights.iter().flat_map(|sight| &sight.points) {
+            let seen = at - origin;
             let (x, y) = (along.dot(seen), along.perp_dot(seen).abs());
             if x <= 0.0 || y >= widest || x >= free + widest + gap {
                 continue;
@@ -191,34 +197,9 @@ impl Vigilance {
     }
 }
 
-impl Sight {
-    /// Drops the points past which a later scan sees clearly, on both sides too: what was there has moved on.
-    fn forget_what_is_gone(&mut self, odom_from_laser: Pose, later: &Reading, gone: f64) {
-        let (scan, laser_from_odom) = (&later.scan, odom_from_laser.inverse());
-        let origin = laser_from_odom.position;
-        let (x, y) = (laser_from_odom.rotate(DVec2::X), laser_from_odom.rotate(DVec2::Y));
-        self.points.retain(|&point| {
-            let seen = origin + x * point.x + y * point.y;
-            seen.length() > NEAR || !sees_past(scan, seen, gone)
-        });
-    }
-}
-
-/// Whether a scan sees past a point in its laser's frame by so much, on both sides too.
-fn sees_past(scan: &Scan, point: DVec2, by: f64) -> bool {
-    let beam = (trig::atan2(point.y, point.x) - scan.angle_min) / scan.angle_increment;
-    if beam < 1.0 {
-        return false;
-    }
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is positive")]
-    let beam = beam.round() as usize;
-    let past = |beam: usize| scan.range(beam).is_some_and(|seen| seen > point.length() + by);
-    past(beam - 1) && past(beam) && past(beam + 1)
-}
-
 #[cfg(test)]
 mod tests {
-    use cogmap_mapping::perception::Moment;
+    use cogmap_mapping::perception::{Moment, Scan};
 
     use super::*;
 
