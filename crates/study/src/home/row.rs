@@ -197,7 +197,7 @@ pub(super) mod tests {
     pub(in crate::home) fn row(seed: u64, strategy: &str, path: f64) -> HomeRow {
         let trial = Trial {
             ended: Ended::Home,
-            distance: 0.25,
+            distance: 0.0,
             home_offset: None,
             out: 20.0,
             shortest: Some(10.0),
@@ -236,6 +236,8 @@ pub(super) mod tests {
     fn only_an_own_stop_near_home_counts_and_detours_cost() {
         let trial = row(1, "retrace", 12.5).trial.unwrap();
         assert_eq!((trial.spl(), trial.takes_shortcut()), (Some(0.8), Some(true)));
+        let short = Trial { path: 9.5, distance: 0.5, ..trial.clone() };
+        assert_eq!(short.spl(), Some(1.0), "what is missing counts as driven, no more");
         let far = Trial { distance: 1.2, ..trial.clone() };
         assert!(far.spl() == Some(0.0) && far.succeeds(1.5) && !far.succeeds(1.0));
         assert!(!Trial { collisions: 1.0, ..trial.clone() }.succeeds(1.5));
