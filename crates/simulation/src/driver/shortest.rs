@@ -12,8 +12,8 @@ const LEAST: f64 = 1e-3;
 
 /// Metres of the shortest way of a disc's middle from one point to another, through a building as it is;
 /// `None` where no way of about 5 cm more than its width leads there. It is found on a grid and then drawn
-/// tight, so it is never too short, and too long by over 3 % only where two ways around something are almost
-/// equally long.
+/// tight: never too short, a little too long at corners, and of two ways round something that differ by a few
+/// per cent it may be the longer one.
 #[must_use]
 pub fn shortest_way(world: &World, radius: f64, from: DVec2, to: DVec2) -> Option<f64> {
     let mut planner = Planner::keeping(radius + TOUCH, world, &[from, to]);
