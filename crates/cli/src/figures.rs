@@ -55,15 +55,20 @@ fn line(figure: &Figure) -> String {
 }
 
 fn write(figure: &Figure, plate: &Plate, theme: Theme, directory: &Path) -> Result<(), Failure> {
-    let picture: Picture = plate.picture(WIDTH, theme);
-    let drawing = svg::document(&picture, &plate.title, &plate.caption);
-    let pixels = png::file(&picture, PIXEL_RATIO)
-        .ok_or_else(|| Failure::run(format!("figure {}: too large for a PNG file", figure.id)))?;
-    for (extension, content) in [("svg", drawing.as_bytes()), ("png", &pixels)] {
-        let path = directory.join(format!("{}.{extension}", figure.id));
+    for (name, content) in files(figure.id, plate, theme)? {
+        let path = directory.join(name);
         std::fs::write(&path, content).map_err(|error| Failure::unwritable(&path, &error))?;
     }
     Ok(())
+}
+
+/// A plate as SVG and PNG.
+pub(crate) fn files(name: &str, plate: &Plate, theme: Theme) -> Result<[(String, Vec<u8>); 2], Failure> {
+    let picture: Picture = plate.picture(WIDTH, theme);
+    let drawing = svg::document(&picture, &plate.title, &plate.caption);
+    let pixels = png::file(&picture, PIXEL_RATIO)
+        .ok_or_else(|| Failure::run(format!("figure {name}: too large for a PNG file")))?;
+    Ok([(format!("{name}.svg"), drawing.into_bytes()), (format!("{name}.png"), pixels)])
 }
 
 #[cfg(test)]

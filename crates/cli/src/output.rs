@@ -7,7 +7,7 @@ use crate::failure::Failure;
 
 /// The beginnings and the ends of the names of all files that a run may leave; between them a
 /// mapper's name may stand.
-const RUN_FILES: [(&str, &str); 14] = [
+const RUN_FILES: [(&str, &str); 16] = [
     ("session", "json"),
     ("truth", "tum"),
     ("odometry", "tum"),
@@ -21,6 +21,8 @@ const RUN_FILES: [(&str, &str); 14] = [
     ("timing", "json"),
     ("runs", "csv"),
     ("summary", "json"),
+    ("curve", "svg"),
+    ("curve", "png"),
     ("plan", "txt"),
 ];
 

@@ -8,8 +8,9 @@ mod tables;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use cogmap_scene::Theme;
 use cogmap_simulation::World;
-use cogmap_study::{Check, Log, Outcome, Request, Seeds, Study, Summary, runner};
+use cogmap_study::{Check, Log, Outcome, Request, Seeds, Study, Summary, figures::curve, runner};
 
 use crate::arguments::StudyArguments;
 use crate::failure::Failure;
@@ -76,13 +77,19 @@ fn conclude(
     said += &format!("\nDone in {:.1} s.", timing.total());
     said += &match output {
         Some(output) => {
-            output.write_all(&[
+            let mut files = vec![
                 ("runs.csv".into(), outcome.csv().into_bytes()),
                 ("summary.json".into(), summary.into_bytes()),
-            ])?;
+            ];
+            let curve = curve(outcome);
+            if let Some(plate) = &curve {
+                files.extend(crate::figures::files("curve", plate, Theme::Light)?);
+            }
+            output.write_all(&files)?;
             output.write("timing.json", timing.to_json().as_bytes())?;
             let place = output.directory().display();
-            format!(" Every run is in {place}/runs.csv, every figure in {place}/summary.json.\n")
+            let drawn = if curve.is_some() { ", the curve in curve.svg and curve.png" } else { "" };
+            format!(" Every run is in {place}/runs.csv, every figure in {place}/summary.json{drawn}.\n")
         }
         None => " Nothing was kept: add --out DIR for every run and every figure.\n".into(),
     };
@@ -175,6 +182,7 @@ pub(crate) fn explanations() -> String {
     let home = (cogmap_study::home::NAME, cogmap_study::home::SEEDS, cogmap_study::home::ABOUT);
     text += &format!("{} ({} seeds)\n  {}\n\n", home.0, home.1, home.2);
     text + "runs.csv has a row for each run and mapper, the same seeds for all mappers; summary.json has every\n\
-            figure with its 95 % interval, every parameter, and what each column means.\n\n"
+            figure with its 95 % interval, every parameter, and what each column means; where noise or steps vary, \
+            curve.svg and curve.png draw what becomes of the map's shape.\n\n"
         + &examples()
 }

@@ -31,6 +31,8 @@ pub enum Annotation {
     Curve,
     /// A point of a curve that matters.
     Mark,
+    /// One of several curves in a plot, by its number.
+    Series(usize),
 }
 
 impl Annotation {
@@ -49,6 +51,10 @@ impl Annotation {
             Self::Grid => Style::line(solid(palette.hairline), 1.0),
             Self::Curve => Style::line(solid(palette.robot), 2.0),
             Self::Mark => Style::points(solid(palette.warning), Sign::Dot(4.5)),
+            Self::Series(number) => {
+                let colour = solid(palette.asrs[number % palette.asrs.len()]);
+                Style { fill: Some(colour), sign: Sign::Dot(3.0), ..Style::line(colour, 2.0) }
+            }
         }
     }
 }

@@ -32,7 +32,8 @@ impl Footer {
     /// Where everything goes.
     pub(crate) fn of(scene: &Scene, sheet: &Sheet) -> Self {
         let entries: &[LegendEntry] = if sheet.legend { &scene.legend } else { &[] };
-        let (mut x, mut row) = (MARGIN + ScaleBar::ROOM + GAP, 0);
+        let bar = if sheet.scale_bar { ScaleBar::ROOM + GAP } else { 0.0 };
+        let (mut x, mut row) = (MARGIN + bar, 0);
         let mut places = Vec::with_capacity(entries.len());
         for entry in entries {
             let width = swatch(entry.sample) + SPACE + text_width(&entry.text, SIZE);
@@ -53,7 +54,9 @@ impl Footer {
             ground(brush, top);
         }
         let middle = |row: usize| top + PADDING + ROW * (row as f64 + 0.5);
-        ScaleBar::of(brush.camera).draw(brush, DVec2::new(MARGIN, middle(0)));
+        if sheet.scale_bar {
+            ScaleBar::of(brush.camera).draw(brush, DVec2::new(MARGIN, middle(0)));
+        }
         for (entry, (x, row)) in scene.legend.iter().zip(&self.places) {
             let at = DVec2::new(*x, middle(*row).round());
             draw_sample(brush, entry.sample, at);

@@ -17,15 +17,17 @@ pub struct Sheet {
     pub camera: Option<Camera>,
     /// Whether the scene's title stands above.
     pub title: bool,
-    /// Whether the legend stands below; the scale bar is always there.
+    /// Whether the legend stands below.
     pub legend: bool,
+    /// Whether a bar says how long a metre is.
+    pub scale_bar: bool,
 }
 
 impl Sheet {
     /// A sheet that shows the whole scene with its title and legend.
     #[must_use]
     pub fn new(width: f64, height: f64, theme: Theme) -> Self {
-        Self { width, height, theme, camera: None, title: true, legend: true }
+        Self { width, height, theme, camera: None, title: true, legend: true, scale_bar: true }
     }
 
     /// The view that shows `bounds` and leaves room for title and legend.

@@ -23,6 +23,8 @@ pub struct Plate {
     pub panels: Vec<Panel>,
     /// How many of them stand in a row.
     pub columns: usize,
+    /// Whether they are plots, which no bar of metres measures.
+    pub plots: bool,
 }
 
 /// A scene of a figure.
@@ -78,7 +80,7 @@ impl Plate {
         let views = self.panels.iter().map(|panel| panel.scene.views).max().unwrap_or(0);
         let legend = Scene { legend: self.legend(), views, ..Scene::default() };
         let camera = Some(Camera { center: DVec2::ZERO, pixels_per_metre: scale });
-        let sheet = Sheet { camera, ..Sheet::new(width, bottom, theme) };
+        let sheet = Sheet { camera, scale_bar: !self.plots, ..Sheet::new(width, bottom, theme) };
         let footer = Footer::of(&legend, &sheet);
         let sheet = Sheet { height: bottom + GUTTER + footer.height, ..sheet };
         let source = wrapped(&self.source, SMALL, room);

@@ -1,11 +1,13 @@
 //! The figures of the thesis's second and third chapters, drawn anew from real runs.
 //!
 //! None is a copy: each is a new run that shows what the figure of that number shows, made by the very
-//! code that maps. Where a run does not show what the thesis saw, its caption says so.
+//! code that maps. Where a run does not show what the thesis saw, its caption says so. The [`curve`] of a
+//! study that varies something is drawn in the same language.
 
 mod corner;
 mod corridor;
 mod courses;
+mod curve;
 mod dead_ends;
 mod draw;
 mod environments;
@@ -31,6 +33,7 @@ mod sight;
 mod stage;
 mod traditional;
 
+pub use curve::curve;
 pub use runs::Runs;
 
 use cogmap_scene::{Panel, Plate};
@@ -84,6 +87,7 @@ impl Figure {
             ),
             panels: drawing.panels,
             columns: drawing.columns,
+            plots: false,
         })
     }
 }

@@ -206,7 +206,8 @@ impl Laboratory {
         let scene = scene(self.run.session(), view, self.shown);
         let DVec2 { x: width, y: height } = self.views.size(view);
         let legend = self.views.has_legend(view);
-        let sheet = Sheet { width, height, theme: look.into(), camera: None, title: false, legend };
+        let sheet =
+            Sheet { width, height, theme: look.into(), camera: None, title: false, legend, scale_bar: true };
         let before = self.views.camera();
         self.views.make_room(&scene);
         self.views.make_room_for_legend(sheet.strip(&scene));

@@ -33,6 +33,23 @@ fn a_study_leaves_a_row_for_each_run_and_mapper_whatever_the_number_of_jobs() {
 }
 
 #[test]
+fn a_study_that_makes_odometry_worse_draws_what_becomes_of_the_map() {
+    let bench = Workbench::new();
+    let said = bench
+        .cogmap("study odometry-independence --worlds room.world.json --seeds 2 --seed 1 --out worse")
+        .done()
+        .out;
+    assert!(said.contains("the curve in curve.svg"), "{said}");
+    let curve = bench.read("worse/curve.svg");
+    for word in ["times the robot’s odometry errors", "shape error, m", "transform", "consensus"] {
+        assert!(curve.contains(word), "{word}");
+    }
+    assert!(std::fs::read(bench.path("worse/curve.png")).unwrap().starts_with(b"\x89PNG"));
+    bench.cogmap("study small --worlds room.world.json --seeds 1 --out worse --force").done();
+    assert!(!bench.path("worse/curve.svg").exists(), "a file of the run before");
+}
+
+#[test]
 fn a_log_is_studied_against_its_relations() {
     let bench = Workbench::new();
     bench.put("walk.relations", "0 2 0.8 0 0 0 0 0\n0 4 1.6 0 0 0 0 0\n");
