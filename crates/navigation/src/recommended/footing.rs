@@ -1,7 +1,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    floor::{CROWD, Floor, Spot},
+    floor::{Floor, Spot},
     tiles::{CELL, Cell},
 };
 
@@ -132,24 +132,14 @@ impl Ease<'_> {
     fn around(&self, cell: Cell) -> (f64, u8) {
         let (mut nearest, mut firmness) = (f64::INFINITY, 0);
         let middle = cell.middle();
-        for dy in -CROWD..=CROWD {
-            for dx in -CROWD..=CROWD {
-                if dx * dx + dy * dy > CROWD * CROWD {
-                    continue;
-                }
-                let at = cell.moved([dx, dy]);
-                let spot = self.floor.spot(at);
-                if !spot.is_occupied() {
-                    continue;
-                }
-                let distance = (at.middle() + spot.at()).distance_squared(middle);
-                if self.is_trusted(at, spot) {
-                    nearest = nearest.min(distance);
-                } else if self.trust == Trust::Memory && distance < self.footing.tight * self.footing.tight {
-                    firmness = firmness.max(spot.visits().saturating_add(1));
-                }
+        self.floor.look_around(cell, |at, spot| {
+            let distance = (at.middle() + spot.at()).distance_squared(middle);
+            if self.is_trusted(at, spot) {
+                nearest = nearest.min(distance);
+            } else if self.trust == Trust::Memory && distance < self.footing.tight * self.footing.tight {
+                firmness = firmness.max(spot.visits().saturating_add(1));
             }
-        }
+        });
         (nearest.sqrt(), firmness)
     }
 

@@ -1,3 +1,5 @@
+mod along;
+
 use std::{cmp::Reverse, collections::BinaryHeap};
 
 use cogmap_geometry::DVec2;
@@ -46,6 +48,9 @@ pub(super) struct Search<'a> {
     /// What a metre costs at a cell, in tenths; 0: not asked yet.
     eases: Tiles<u16>,
     bounds: [Cell; 2],
+    open: BinaryHeap<Open>,
+    /// Nodes at the bounds, from where ways lead beyond.
+    beyond: Vec<Cell>,
     expanded: usize,
     /// Whether every cell near something that stands counts, so that no gap is stepped over.
     thorough: bool,
@@ -76,6 +81,8 @@ impl<'a> Search<'a> {
             nodes: Tiles::default(),
             eases: Tiles::default(),
             bounds: [ease.robot; 2],
+            open: BinaryHeap::new(),
+            beyond: Vec::new(),
             expanded: 0,
             thorough: false,
         }
@@ -83,16 +90,25 @@ impl<'a> Search<'a> {
 
     /// The cheapest way from where the robot is; `None` where there is none. A home that is closed in
     /// must not flood the world: the search keeps to what was seen and a margin. A `wide` search looks at narrow
-    /// gaps as well, and beyond the margin where all ways within it are closed.
+    /// gaps as well, and goes on beyond the margin where all ways within it are closed.
     pub(super) fn way(&mut self, wide: bool) -> Option<Vec<Cell>> {
         self.thorough = wide;
-        let near = self.way_within(MARGIN);
-        if !wide || near.as_ref().is_some_and(|way| self.leads_home(way)) {
-            return near;
+        self.bound(MARGIN);
+        let start = self.ease.robot;
+        self.nodes.get_mut(start).cost = 1;
+        self.open.push(Reverse((self.ahead(start), 1, start, false)));
+        let near = self.next_end();
+        let way = near.map(|Reverse((_, _, end, _))| self.back_from(end));
+        if !wide || way.as_ref().is_some_and(|way| self.leads_home(way)) {
+            return way;
         }
-        self.nodes = Tiles::default();
-        self.expanded = 0;
-        self.way_within(WIDE_MARGIN).or(near)
+        self.bound(WIDE_MARGIN);
+        self.open.extend(near);
+        for cell in std::mem::take(&mut self.beyond) {
+            let cost = self.nodes.get(cell).cost;
+            self.open.push(Reverse((cost.saturating_add(self.ahead(cell)), cost, cell, false)));
+        }
+        self.next_end().map(|Reverse((_, _, end, _))| self.back_from(end)).or(way)
     }
 
     /// Whether a way ends at home and leads through no wall.
@@ -106,19 +122,21 @@ impl<'a> Search<'a> {
         })
     }
 
-    fn way_within(&mut self, margin: f64) -> Option<Vec<Cell>> {
+    /// Keeps the search to what was seen and a margin, metres.
+    fn bound(&mut self, margin: f64) {
         let robot = self.ease.robot.middle();
         let [low, high] = self.ease.floor.bounds().unwrap_or([robot; 2]);
         let low = low.min(robot).min(self.home) - margin;
         let high = high.max(robot).max(self.home) + margin;
         self.bounds = [Cell::at(low), Cell::at(high)];
-        let start = self.ease.robot;
-        let mut open: BinaryHeap<Open> = BinaryHeap::new();
-        self.nodes.get_mut(start).cost = 1;
-        open.push(Reverse((self.ahead(start), 1, start, false)));
-        while let Some(Reverse((_, cost, cell, end))) = open.pop() {
+    }
+
+    /// Searches on until the cheapest of all ends not met before.
+    fn next_end(&mut self) -> Option<Open> {
+        while let Some(next) = self.open.pop() {
+            let Reverse((_, cost, cell, end)) = next;
             if end {
-                return Some(self.back_from(cell));
+                return Some(next);
             }
             if self.nodes.get(cell).cost != cost {
                 continue;
@@ -128,19 +146,24 @@ impl<'a> Search<'a> {
                 return None;
             }
             if let Some(missing) = self.missing(cell) {
-                open.push(Reverse((cost.saturating_add(missing), cost, cell, true)));
+                self.open.push(Reverse((cost.saturating_add(missing), cost, cell, true)));
             }
-            self.expand(cell, cost, &mut open);
+            self.expand(cell, cost);
         }
         None
     }
 
-    fn expand(&mut self, cell: Cell, cost: u32, open: &mut BinaryHeap<Open>) {
+    fn expand(&mut self, cell: Cell, cost: u32) {
         let fine = self.is_fine(cell);
         let step = if fine || !is_coarse(cell) { 1 } else { COARSE };
+        let mut at_bounds = false;
         for (way, [dx, dy]) in (0_u8..).zip(WAYS) {
             let to = cell.moved([dx * step, dy * step]);
-            if !self.is_within(to) || (!fine && !is_coarse(to)) {
+            if !self.is_within(to) {
+                at_bounds = true;
+                continue;
+            }
+            if !fine && !is_coarse(to) {
                 continue;
             }
             let Some(ease) = self.stretch(cell, [dx, dy], step) else { continue };
@@ -151,8 +174,11 @@ impl<'a> Search<'a> {
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 or 3")]
                 let step = step as u8;
                 *node = Node { cost, way, step };
-                open.push(Reverse((cost.saturating_add(self.ahead(to)), cost, to, false)));
+                self.open.push(Reverse((cost.saturating_add(self.ahead(to)), cost, to, false)));
             }
+        }
+        if at_bounds {
+            self.beyond.push(cell);
         }
     }
 
@@ -232,60 +258,6 @@ impl<'a> Search<'a> {
         }
         cells.reverse();
         cells
-    }
-
-    /// What the straight line between two points costs; `None` where it is not free.
-    pub(super) fn line(&mut self, from: DVec2, to: DVec2) -> Option<f64> {
-        let length = from.distance(to);
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "lengths are short")]
-        let pieces = ((length / (0.5 * CELL)).ceil() as u32).clamp(1, 100_000);
-        let mut sum = 0.0;
-        for k in 0..pieces {
-            let share = (f64::from(k) + 0.5) / f64::from(pieces);
-            let ease = self.ease(Cell::at(from.lerp(to, share)));
-            if ease == NO_WAY {
-                return None;
-            }
-            sum += f64::from(ease);
-        }
-        Some(0.1 * sum / f64::from(pieces) * length)
-    }
-
-    /// What a way costs from a point along its corners, what is missing to home included.
-    pub(super) fn cost(&mut self, from: DVec2, corners: &[DVec2]) -> Option<f64> {
-        let mut cost = 0.0;
-        let mut last = from;
-        for &corner in corners {
-            cost += self.line(last, corner)?;
-            last = corner;
-        }
-        let missing = (last.distance(self.home) - REACHED * CELL).max(0.0);
-        (missing <= NEAR_HOME).then_some(cost + missing * SHORT_OF_HOME)
-    }
-
-    /// Leaves out the points of a way that straight lines can do without at no more cost.
-    pub(super) fn pull_tight(&mut self, from: DVec2, points: &[DVec2]) -> Vec<DVec2> {
-        let mut corners = Vec::new();
-        let (mut at, mut next) = (from, 0);
-        while next < points.len() {
-            let mut along = self.line(at, points[next]).unwrap_or(f64::INFINITY);
-            let mut last = next;
-            for k in next + 1..points.len() {
-                along += self.line(points[k - 1], points[k]).unwrap_or(f64::INFINITY);
-                match self.line(at, points[k]) {
-                    Some(straight) if straight <= along + 0.02 => {
-                        last = k;
-                        along = straight;
-                    }
-                    Some(_) => {}
-                    None => break,
-                }
-            }
-            at = points[last];
-            corners.push(at);
-            next = last + 1;
-        }
-        corners
     }
 }
 
