@@ -8,8 +8,25 @@ use super::{
     NEAR_HOME, REACHED, SHORT_OF_HOME, Search,
 };
 
-/// What ways along straight lines cost.
+/// What ways cost along straight lines, and what is still to come.
 impl Search<'_> {
+    /// What the way from a cell to home costs at least.
+    pub(super) fn ahead(&self, cell: Cell) -> u32 {
+        let home = Cell::at(self.home);
+        let (dx, dy) = (cell.x.abs_diff(home.x), cell.y.abs_diff(home.y));
+        let straight = 1000 * dx.max(dy) + 410 * dx.min(dy);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small constant")]
+        straight.saturating_sub((REACHED * 1410.0) as u32)
+    }
+
+    /// What it costs to end at a cell instead of at home; `None` where that is too far.
+    pub(super) fn missing(&self, cell: Cell) -> Option<u32> {
+        let distance = cell.middle().distance(self.home);
+        let missing = (distance - REACHED * CELL).max(0.0);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 600,000")]
+        (distance <= NEAR_HOME).then_some((missing * SHORT_OF_HOME * 10_000.0) as u32)
+    }
+
     /// What the straight line between two points costs; `None` where it is not free.
     pub(in super::super) fn line(&mut self, from: DVec2, to: DVec2) -> Option<f64> {
         let length = from.distance(to);
