@@ -41,6 +41,10 @@ pub struct RecommendedParams {
     /// While the way that it has in mind becomes no worse the robot looks for a better one at each so many
     /// decisions.
     pub look_for_better: u32,
+    /// Each way that turned out closed makes a metre of unseen floor cost so much more, …
+    pub wariness: f64,
+    /// … but no more than so many of them.
+    pub wary_most: u32,
     /// A wall that was met so often closes a way for good.
     pub closed: u8,
     /// When the fail-safe takes over, and when the robot gives up.
@@ -54,6 +58,8 @@ impl Default for RecommendedParams {
             hysteresis: 1.0,
             hysteresis_share: 0.05,
             look_for_better: 3,
+            wariness: 0.5,
+            wary_most: 3,
             closed: 2,
             rescue: RescueParams::default(),
         }
@@ -83,6 +89,8 @@ pub(crate) struct Recommended {
     since_search: u32,
     rescue: Rescue,
     dropped: usize,
+    /// Ways that the robot had in mind and that turned out closed.
+    closed_ways: u32,
 }
 
 /// What a decision is about, on the floor.
@@ -118,6 +126,7 @@ impl Recommended {
             since_search: 0,
             rescue,
             dropped,
+            closed_ways: 0,
         }
     }
 
@@ -163,9 +172,11 @@ impl Recommended {
 
     /// The cheapest way home, or the one that the robot has in mind where that is hardly dearer.
     fn choose(&mut self, scene: &Scene) -> Option<Choice> {
+        let wary = self.params.wariness * f64::from(self.closed_ways.min(self.params.wary_most));
+        let footing = Footing { unknown: self.params.footing.unknown + wary, ..self.params.footing.clone() };
         let ease = Ease {
             floor: self.ground.floor(),
-            footing: &self.params.footing,
+            footing: &footing,
             trust: self.rescue.trust(),
             robot: Cell::at(scene.robot),
             moment: self.moment,
@@ -176,6 +187,7 @@ impl Recommended {
         let before = if had_one { search.cost(scene.robot, &kept) } else { None };
         if had_one && before.is_none() {
             self.rescue.closed();
+            self.closed_ways = self.closed_ways.saturating_add(1);
         }
         let as_good = before.is_some_and(|cost| cost <= self.expected + RISE);
         self.since_search = if as_good { self.since_search + 1 } else { 0 };

@@ -10,7 +10,7 @@ use super::{
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Footing {
-    /// A metre of floor that was never seen.
+    /// A metre of floor that was never seen, for a robot that has not been disappointed yet.
     pub unknown: f64,
     /// Nothing leads the robot's middle nearer than this to what is believed to stand somewhere, metres: a little
     /// less than its radius, because what is seen from afar is seen a little beside its place.
@@ -38,7 +38,7 @@ pub struct Footing {
 impl Default for Footing {
     fn default() -> Self {
         Self {
-            unknown: 3.0,
+            unknown: 1.6,
             hard: 0.21,
             tight: 0.26,
             tight_cost: 3.0,
