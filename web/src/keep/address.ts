@@ -38,7 +38,11 @@ export class Address {
   }
 }
 
-/** Where the whole page is, without what the address asks for. */
+/**
+ * Where the whole page is, without what the address asks for. Where the newest version is published at the
+ * root, it names the folder that this version will stay in: a link keeps the engine that made it.
+ */
 export function wholePage(): string {
-  return location.origin + location.pathname;
+  const folder = document.querySelector<HTMLMetaElement>('meta[name="cogmap-stays-in"]')?.content ?? '';
+  return new URL(folder, location.origin + location.pathname).href;
 }

@@ -28,9 +28,12 @@ export class Sharing {
       return;
     }
     const link = await this.link();
-    if (link.length > LINK_MAX) this.shared = { kind: 'too_long', length: link.length };
-    else this.shared = { kind: (await copied(link)) ? 'copied' : 'by_hand', link };
-    const { shared } = this;
+    if (link.length > LINK_MAX) {
+      this.shared = { kind: 'too_long', length: link.length };
+      return;
+    }
+    const shared: Shared = { kind: (await copied(link)) ? 'copied' : 'by_hand', link };
+    this.shared = shared;
     if (shared.kind === 'copied') setTimeout(() => this.shared === shared && this.dismiss(), SAID);
   };
 

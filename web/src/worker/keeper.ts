@@ -10,6 +10,7 @@ export class Keeper {
   private hand: ((moment: Moment) => void) | undefined;
   private handedAt = -Infinity;
   private timer: ReturnType<typeof setTimeout> | undefined;
+  private timerAt = 0;
   /** Whether anybody has done anything: nobody misses the scene that the page opens on. */
   private touched = false;
 
@@ -31,11 +32,16 @@ export class Keeper {
     if (this.touched) this.due(AS_IT_GROWS);
   }
 
+  /** Sees to it that the run is kept once `interval` has passed since the last time, or before. */
   private due(interval: number): void {
-    const wait = Math.max(0, this.handedAt + interval - performance.now());
-    if (wait > AFTER_ORDERS) return;
-    if (wait === 0) this.keep();
-    else this.timer ??= setTimeout(() => this.keep(), wait);
+    const now = performance.now();
+    const at = this.handedAt + interval;
+    if (at <= now) this.keep();
+    else if (this.timer === undefined || at < this.timerAt) {
+      clearTimeout(this.timer);
+      this.timerAt = at;
+      this.timer = setTimeout(() => this.keep(), at - now);
+    }
   }
 
   private keep(): void {
