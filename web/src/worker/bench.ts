@@ -12,6 +12,7 @@ import { Easel } from './easel';
 import { Keeper } from './keeper';
 import { hold } from './lifeline';
 import type { Brought, Choice, Moment, Notice, Offer, Pace, Resumable, Resumed, Saved, View } from './protocol';
+import { asJson, momentOf } from './saving';
 import { worlds } from './worlds';
 
 /** How often the page is told what happens, milliseconds. */
@@ -26,7 +27,7 @@ export class Bench {
   private brought: Brought[] = [];
   private readonly easel = new Easel();
   private readonly clock = new Clock((elapsed, now) => this.turn(elapsed, now));
-  private readonly keeper = new Keeper(() => this.moment());
+  private readonly keeper = new Keeper(() => (this.resuming ? undefined : this.laboratory && momentOf(this.laboratory)));
   /** Set while a run is gone through again that was left somewhere: nobody is at the controls then. */
   private resuming = false;
   private listen: (notice: Notice) => void = () => undefined;
@@ -236,27 +237,14 @@ export class Bench {
 
   /** The whole session as a file. */
   session(): Saved {
-    return this.json('session', (laboratory) => laboratory.save_session());
+    return asJson(this.mounted(), 'session', (laboratory) => laboratory.save_session());
   }
 
   /** The map of one of the mappers, counted from 0, as a file. */
   map(mapper: number): Saved {
     const { memories } = this.mounted().status();
     const kind = memories.length > 1 ? `map.${memories[mapper]?.mapper}` : 'map';
-    return this.json(kind, (laboratory) => laboratory.map_json(mapper));
-  }
-
-  /** What is to be kept now. */
-  private moment(): Moment | undefined {
-    if (this.resuming || !this.laboratory) return undefined;
-    const { name, time, source } = this.laboratory.status();
-    return { situation: this.laboratory.situation(), name, time, fromLog: source === 'log' };
-  }
-
-  private json(kind: string, write: (laboratory: Laboratory) => string): Saved {
-    const laboratory = this.mounted();
-    const blob = new Blob([write(laboratory)], { type: 'application/json' });
-    return { name: `${laboratory.status().stem}.${kind}.json`, blob };
+    return asJson(this.mounted(), kind, (laboratory) => laboratory.map_json(mapper));
   }
 
   private mounted(): Laboratory {
