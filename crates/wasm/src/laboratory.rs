@@ -24,7 +24,7 @@ use crate::{
 /// The laboratory as the page knows it: a run, and views of it.
 #[wasm_bindgen]
 pub struct Laboratory {
-    run: Run,
+    pub(crate) run: Run,
     views: Views,
     shown: MemoryOptions,
     canvases: BTreeMap<View, Canvas>,
@@ -242,7 +242,7 @@ impl Laboratory {
 }
 
 impl Laboratory {
-    fn of(run: Run) -> Self {
+    pub(crate) fn of(run: Run) -> Self {
         let mut views = Views::new();
         let shown = MemoryOptions::default();
         for view in all_views(&run) {

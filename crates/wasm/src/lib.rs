@@ -12,12 +12,14 @@
 mod canvas;
 mod failure;
 mod homing;
+mod keeping;
 mod laboratory;
 mod layers;
 mod look;
 mod memories;
 mod opening;
 mod order;
+mod resumption;
 mod run;
 mod scenes;
 mod setup;
@@ -28,6 +30,7 @@ pub use laboratory::Laboratory;
 pub use layers::{Colours, Layers};
 pub use look::Look;
 pub use order::Order;
+pub use resumption::{Kept, KnownBuilding};
 pub use setup::{Choices, Opening, Setup};
 pub use status::{
     Ending, Happened, Happening, HomingStatus, LastView, Lead, MemoryStatus, Offset, PlacementKind,
