@@ -3,7 +3,7 @@ use std::sync::Arc;
 use cogmap_formats::relations::Relation;
 use cogmap_geometry::DVec2;
 use cogmap_mapping::MapperSetup;
-use cogmap_simulation::{Recording, Robot, World};
+use cogmap_simulation::{Recording, Robot, Strategy, World};
 
 /// What is the same for all runs of a group: where, with what, how; only the seed differs.
 #[derive(Clone)]
@@ -31,6 +31,22 @@ pub enum Ground {
     },
     /// A real robot was driven, and the truth is only known from relations.
     Log(Arc<Log>),
+    /// A robot is driven out with each mapper and told to go home by what that remembers.
+    WayHome {
+        /// The way out.
+        outing: Outing,
+        /// Who goes.
+        robot: Robot,
+    },
+}
+
+/// A way out that ends with the command to go home.
+#[derive(Clone)]
+pub enum Outing {
+    /// Through a building, always the same.
+    Course(Course),
+    /// Through a furnished office floor made from each seed.
+    Floors,
 }
 
 /// A recorded log and what people know of the truth.
@@ -81,6 +97,8 @@ pub struct Variant {
     pub label: String,
     /// The mapper with every parameter.
     pub setup: MapperSetup,
+    /// Who finds the way home by it, where one is asked for.
+    pub strategy: Option<Strategy>,
 }
 
 impl Condition {
@@ -106,15 +124,25 @@ impl Condition {
         match &self.ground {
             Ground::Drive { course, .. } => &course.world.name,
             Ground::Log(log) => &log.name,
+            Ground::WayHome { outing: Outing::Course(course), .. } => &course.world.name,
+            Ground::WayHome { outing: Outing::Floors, .. } => "generated floors",
         }
     }
 
-    /// The route's name; none for a log.
+    /// Whether it is about going home, not about the map.
+    #[must_use]
+    pub fn goes_home(&self) -> bool {
+        matches!(self.ground, Ground::WayHome { .. })
+    }
+
+    /// The route's name; none for a log or a generated floor.
     #[must_use]
     pub fn route(&self) -> &str {
         match &self.ground {
-            Ground::Drive { course, .. } => &course.route_name,
-            Ground::Log(_) => "",
+            Ground::Drive { course, .. } | Ground::WayHome { outing: Outing::Course(course), .. } => {
+                &course.route_name
+            }
+            Ground::WayHome { outing: Outing::Floors, .. } | Ground::Log(_) => "",
         }
     }
 
@@ -122,7 +150,7 @@ impl Condition {
     #[must_use]
     pub fn robot(&self) -> &str {
         match &self.ground {
-            Ground::Drive { robot, .. } => &robot.name,
+            Ground::Drive { robot, .. } | Ground::WayHome { robot, .. } => &robot.name,
             Ground::Log(_) => "real",
         }
     }
@@ -135,6 +163,7 @@ impl Condition {
                 format!("{}, {}, {} robot", course.world.name, course.route_name, robot.name)
             }
             Ground::Log(log) => log.name.clone(),
+            Ground::WayHome { robot, .. } => format!("{}, and home, {} robot", self.place(), robot.name),
         };
         match (&self.ground, self.treatment.odometry) {
             (Ground::Log(_), noise) if noise > 0.0 => title += &format!(", odometry noise {noise}"),
@@ -167,6 +196,12 @@ impl Variant {
     /// A mapper under a name.
     #[must_use]
     pub fn new(label: &str, setup: MapperSetup) -> Self {
-        Self { label: label.to_owned(), setup }
+        Self { label: label.to_owned(), setup, strategy: None }
+    }
+
+    /// The same, and who finds the way home by it.
+    #[must_use]
+    pub fn homing(self, strategy: Strategy) -> Self {
+        Self { strategy: Some(strategy), ..self }
     }
 }

@@ -13,6 +13,11 @@ mod row;
 mod runner;
 mod trial;
 
+use cogmap_mapping::MapperSetup;
+use cogmap_simulation::{Episode, Robot, Setting, Strategy};
+
+use crate::Outing;
+
 pub use figures::{HomeFigures, HomeSummary, SplPair};
 pub use plan::{Place, Plan, Task};
 pub use row::{Ended, HomeRow, Trial};
@@ -32,3 +37,27 @@ door closed behind it (another way exists, or, in no-way, none does), furniture 
 0.9 m wide, people. All strategies start from the same map. Success is an own stop within 1 m of the true start \
 without a collision; SPL is the shortest true way over the way driven, 0 without success. Choose with --robot, \
 --setting and --strategy. A run that was cut off goes on from the rows in --out DIR.";
+
+/// A way out that is made from the seed, or is always the same, in a building that stays as it is.
+///
+/// # Errors
+/// The building has no place for a way.
+pub(crate) fn episode(outing: &Outing, seed: u64) -> Result<Episode, String> {
+    let (world, route) = match outing {
+        Outing::Course(course) => (course.world.as_ref().clone(), course.route.clone()),
+        Outing::Floors => plan::floor(seed)?,
+    };
+    let episode = Episode::new(&world, &route, Setting::Furnished, seed);
+    episode.ok_or_else(|| "nothing can be tried here".to_owned())
+}
+
+/// Out with a mapper, and home by what it remembers; `None` where the way out could not be driven.
+pub(crate) fn trial(
+    episode: &Episode,
+    (robot, mapper): (&Robot, &MapperSetup),
+    strategy: &Strategy,
+    seed: u64,
+) -> Option<Trial> {
+    let out = trial::way_out(episode, (robot, mapper), seed)?;
+    trial::way_home(&out, &episode.changes, strategy).map(|(trial, _)| trial)
+}

@@ -33,7 +33,7 @@ mod summary;
 mod worlds;
 
 pub use check::{Bound, Check, Claim, Verdict};
-pub use condition::{Condition, Course, Ground, Log, Treatment, Variant};
+pub use condition::{Condition, Course, Ground, Log, Outing, Treatment, Variant};
 pub use drive::{Drive, Look, drive};
 pub use mapping::Mapping;
 pub use measure::{Kind, MEASURES, Measure};

@@ -60,7 +60,7 @@ const fn ratio(name: &'static str, head: &'static str, of: &'static str, meaning
 
 /// Every measure, in the order of the columns.
 #[rustfmt::skip]
-pub const MEASURES: [Measure; 70] = [
+pub const MEASURES: [Measure; 77] = [
     rate("arrived", "arrived", "the person at the controls came to the end of the route"),
     median("way", "way", "m", "length of the true way"),
     median("steps", "steps", "", "movement steps"),
@@ -131,6 +131,13 @@ pub const MEASURES: [Measure; 70] = [
     rate("found_again", "found", "the robot found a place again that it knew from before"),
     median("relations", "relations", "m", "mean error against relations matched by hand, of the trajectory as it was believed online"),
     median("relations_network", "network", "m", "the same of relations read from the network of frames"),
+    rate("home_reached", "home reached", "told to go home, the robot stopped by itself within 1.5 m of its start and touched nothing"),
+    median("home_distance", "from home", "m", "how far from its start in truth the way home ended"),
+    rate("help_needed", "needs help", "the robot gave up and waited for its user, or wandered for half an hour"),
+    rate("shortcut_taken", "shortcut", "where the shortest way home is at most 0.7 of the way out: the robot came home by less than halfway between the two"),
+    median("dead_ends", "dead ends", "", "dead ends noticed on the way home"),
+    rate("dead_ends_left", "left", "where a dead end was noticed: the robot came home all the same"),
+    rate("home_collided", "touched", "the robot touched something on the way home"),
 ];
 
 #[cfg(test)]

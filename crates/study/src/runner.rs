@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 
-use cogmap_simulation::{SessionRecord, Source};
+use cogmap_simulation::{Robot, SessionRecord, Source};
 use rayon::prelude::*;
 
 use crate::{
-    Condition, Drive, Ground, Log, Mapping, Row, Seeds, Treatment, Variant, drive,
-    score::{Truth, Values, score, score_log},
+    Condition, Drive, Ground, Log, Mapping, Outing, Row, Seeds, Treatment, Variant, drive, home,
+    score::{Truth, Values, score, score_log, score_way_home},
 };
 
 /// Runs every condition with every seed on so many cores (0: all) and calls `progress` after each
@@ -63,7 +63,7 @@ fn sharing(conditions: &[Condition]) -> Vec<Range<usize>> {
 fn truth_of(condition: &Condition) -> Option<Truth> {
     match &condition.ground {
         Ground::Drive { course, robot } => Some(Truth::of(&course.world, robot.body.radius)),
-        Ground::Log(_) => None,
+        Ground::Log(_) | Ground::WayHome { .. } => None,
     }
 }
 
@@ -75,15 +75,18 @@ fn perform(
 ) -> Result<Vec<Row>, String> {
     let mut rows = Vec::new();
     let first = &conditions[group.start];
-    let name = |problem| format!("{}, seed {seed}: {problem}", first.title());
+    let name = |problem: String| format!("{}, seed {seed}: {problem}", first.title());
     let driven = match &first.ground {
         Ground::Drive { course, robot } => Some(drive(course, robot, seed).map_err(name)?),
-        Ground::Log(_) => None,
+        Ground::Log(_) | Ground::WayHome { .. } => None,
     };
     for condition in group {
         let of = &conditions[condition];
         let scores = match (&of.ground, &driven, &truths[condition]) {
             (Ground::Log(log), ..) => of_log(of, log, seed),
+            (Ground::WayHome { outing, robot }, ..) => {
+                of_way_home(of, (outing, robot), seed).map_err(name)?
+            }
             (_, Some(driven), Some(truth)) => of_drive(of, driven, (truth, seed)),
             _ => Vec::new(),
         };
@@ -111,4 +114,19 @@ fn of_log(condition: &Condition, log: &Log, seed: u64) -> Vec<Values> {
         score_log(&recording, &mapping, &log.relations)
     };
     condition.mappers.iter().map(mapped).collect()
+}
+
+fn of_way_home(
+    condition: &Condition,
+    (outing, robot): (&Outing, &Robot),
+    seed: u64,
+) -> Result<Vec<Values>, String> {
+    let episode = home::episode(outing, seed)?;
+    let gone = |variant: &Variant| {
+        let strategy = variant.strategy.as_ref();
+        let trial =
+            strategy.and_then(|strategy| home::trial(&episode, (robot, &variant.setup), strategy, seed));
+        score_way_home(trial.as_ref())
+    };
+    Ok(condition.mappers.iter().map(gone).collect())
 }

@@ -6,6 +6,8 @@ mod odometry;
 mod places;
 mod surfaces;
 mod way;
+#[cfg(not(target_arch = "wasm32"))]
+mod way_home;
 
 use std::collections::BTreeMap;
 
@@ -14,6 +16,8 @@ use cogmap_simulation::{Room, Solids, World};
 
 pub use log::score_log;
 pub(crate) use way::STRETCHES;
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) use way_home::score_way_home;
 
 use crate::{
     Drive, Mapping, Measure,

@@ -72,7 +72,7 @@ impl<'a> Summary<'a> {
 
 fn robot_of(condition: &Condition) -> Option<(&str, &Robot)> {
     match &condition.ground {
-        Ground::Drive { robot, .. } => Some((&robot.name, robot)),
+        Ground::Drive { robot, .. } | Ground::WayHome { robot, .. } => Some((&robot.name, robot)),
         Ground::Log(_) => None,
     }
 }

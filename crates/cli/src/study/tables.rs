@@ -22,15 +22,19 @@ pub(crate) fn of(study: &Study, seeds: Seeds, outcome: &Outcome, checks: &[Check
     said
 }
 
-/// The figures of a condition, a row a mapper; more measures than fit on a line go below.
+/// The figures of a condition, a row a mapper; more measures than fit on a line go below, and those that say
+/// nothing of any of its mappers are left out.
 fn groups(outcome: &Outcome, condition: usize, shown: &[&Measure]) -> String {
     let mut said = String::new();
+    let groups: Vec<Group<'_>> = outcome.groups().filter(|group| group.condition == condition).collect();
+    let applies = |measure: &&Measure| groups.iter().any(|group| group.figure(measure).is_some());
+    let shown: Vec<&Measure> = shown.iter().copied().filter(applies).collect();
     for shown in shown.chunks(ACROSS) {
         let heads: Vec<&str> =
             std::iter::once("mapper").chain(shown.iter().map(|measure| measure.head)).collect();
         let mut table = Table::new(&heads);
-        for group in outcome.groups().filter(|group| group.condition == condition) {
-            let cells = shown.iter().map(|measure| cell(&group, measure));
+        for group in &groups {
+            let cells = shown.iter().map(|measure| cell(group, measure));
             table.row(std::iter::once(group.label().to_owned()).chain(cells).collect());
         }
         said += &table.render();

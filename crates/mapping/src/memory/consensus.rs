@@ -162,11 +162,11 @@ impl Consensus {
         let by = self.frame_from_robot.from_here(found.pose);
         if !(loss.on && loss.doubts(agreement, self.doubt)) {
             self.doubt = Doubt::default();
-            if found.fraction < self.params.search.lost_below {
-                self.steps_lost += 1;
-            } else {
+            if self.params.search.believes(found) {
                 self.habit.learn(by, loss);
                 (self.frame_from_robot, self.steps_lost) = (found.pose, 0);
+            } else {
+                self.steps_lost += 1;
             }
             return None;
         }
@@ -271,7 +271,7 @@ impl Consensus {
     fn close(&mut self, reading: &Reading, view: View, fit: Option<Fit>) -> StepReport {
         let placement = match &fit {
             None => Placement::First,
-            Some(fit) if fit.fraction < self.params.search.lost_below => Placement::Odometry,
+            Some(fit) if !self.params.search.believes(fit) => Placement::Odometry,
             Some(_) if self.doubt.views > 0 => Placement::Odometry,
             Some(fit) if fit.rank < 3 => Placement::PartlyOdometry,
             Some(_) => Placement::Consensus,

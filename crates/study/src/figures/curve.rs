@@ -35,7 +35,7 @@ const AXES: [Axis; 2] = [
 /// Both kinds of errors that a map's shape is told by: the measure, and its name at the axis.
 fn measure(ground: &Ground) -> (&'static str, &'static str) {
     match ground {
-        Ground::Drive { .. } => ("shape", "shape error, m"),
+        Ground::Drive { .. } | Ground::WayHome { .. } => ("shape", "shape error, m"),
         Ground::Log(_) => ("relations", "relations error, m"),
     }
 }

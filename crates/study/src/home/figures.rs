@@ -158,7 +158,7 @@ impl HomeFigures {
             turning: mean(&|trial| Some(trial.turning)),
             zigzag: mean(&|trial| Some(trial.zigzag)),
             home_offset: offsets(&trials),
-            shortcuts: rate(&Trial::takes_shortcut),
+            shortcuts: rate(&|trial: &Trial| trial.takes_shortcut(1.0)),
         }
     }
 }

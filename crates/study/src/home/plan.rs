@@ -66,12 +66,7 @@ impl Plan {
     /// The building of a task and a way out through it.
     pub(super) fn ground(&self, task: Task) -> Result<(World, Vec<DVec2>), String> {
         match task.place {
-            Place::Generated => {
-                let world = Building::generate(task.seed);
-                let route = world.routes.values().next().ok_or("nothing leads 10 m away from the start")?;
-                let route = route.iter().map(|&point| point.into()).collect();
-                Ok((world, route))
-            }
+            Place::Generated => floor(task.seed),
             Place::World(index) => {
                 let world = World::clone(&self.worlds[index]);
                 let route = random_route(&world, &self.robots[task.robot], task.seed)?;
@@ -94,4 +89,12 @@ impl Plan {
             list(self.strategies.iter().map(|strategy| strategy.name().to_owned()).collect()),
         )
     }
+}
+
+/// The office floor of a seed and a way out through it.
+pub(super) fn floor(seed: u64) -> Result<(World, Vec<DVec2>), String> {
+    let world = Building::generate(seed);
+    let route = world.routes.values().next().ok_or("nothing leads 10 m away from the start")?;
+    let route = route.iter().map(|&point| point.into()).collect();
+    Ok((world, route))
 }

@@ -99,12 +99,12 @@ impl Trial {
         self.path + self.distance
     }
 
-    /// Where the shortest way is at most 0.7 of the way out: whether the robot drove less than halfway
-    /// between the two.
+    /// Where the shortest way is at most 0.7 of the way out: whether the robot came within so many metres of
+    /// home and drove less than halfway between the two.
     #[must_use]
-    pub fn takes_shortcut(&self) -> Option<bool> {
+    pub fn takes_shortcut(&self, within: f64) -> Option<bool> {
         let shortest = self.shortest.filter(|shortest| *shortest <= 0.7 * self.out)?;
-        Some(self.succeeds(1.0) && self.path < f64::midpoint(shortest, self.out))
+        Some(self.succeeds(within) && self.path < f64::midpoint(shortest, self.out))
     }
 }
 
@@ -235,7 +235,7 @@ pub(super) mod tests {
     #[test]
     fn only_an_own_stop_near_home_counts_and_detours_cost() {
         let trial = row(1, "retrace", 12.5).trial.unwrap();
-        assert_eq!((trial.spl(), trial.takes_shortcut()), (Some(0.8), Some(true)));
+        assert_eq!((trial.spl(), trial.takes_shortcut(1.0)), (Some(0.8), Some(true)));
         let short = Trial { path: 9.5, distance: 0.5, ..trial.clone() };
         assert_eq!(short.spl(), Some(1.0), "what is missing counts as driven, no more");
         let far = Trial { distance: 1.2, ..trial.clone() };

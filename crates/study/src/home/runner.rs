@@ -2,6 +2,7 @@ use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::time::Duration;
 
+use cogmap_mapping::MapperSetup;
 use cogmap_simulation::{Episode, Session, Setting};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -66,15 +67,16 @@ fn perform(plan: &Plan, task: Task, times: &Mutex<DecisionTimes>) -> Result<Vec<
     let name = |problem| format!("{place}, seed {}: {problem}", task.seed);
     let (world, route) = plan.ground(task).map_err(name)?;
     let robot = &plan.robots[task.robot];
+    let with = (robot, &MapperSetup::Consensus(Box::default()));
     let mut furnished: Option<Option<Session>> = None;
     let mut rows = Vec::new();
     for &setting in &plan.settings {
         let Some(episode) = Episode::new(&world, &route, setting, task.seed) else { continue };
         let own;
         let out = if setting.begins_furnished() {
-            furnished.get_or_insert_with(|| way_out(&episode, robot, task.seed)).as_ref()
+            furnished.get_or_insert_with(|| way_out(&episode, with, task.seed)).as_ref()
         } else {
-            own = way_out(&episode, robot, task.seed);
+            own = way_out(&episode, with, task.seed);
             own.as_ref()
         };
         for strategy in &plan.strategies {

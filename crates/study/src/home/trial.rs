@@ -20,11 +20,14 @@ const ZIG: f64 = 30.0 * std::f64::consts::PI / 180.0;
 
 /// The robot at the end of its way out, with all that it remembers; `None` where it did not get there
 /// without touching anything.
-pub(super) fn way_out(episode: &Episode, robot: &Robot, seed: u64) -> Option<Session> {
-    let mapper = MapperSetup::Consensus(Box::default());
+pub(super) fn way_out(
+    episode: &Episode,
+    (robot, mapper): (&Robot, &MapperSetup),
+    seed: u64,
+) -> Option<Session> {
     let mut driver = Driver::new(&episode.world, robot, &episode.route).ok()?;
     let source = Source::world(episode.world.clone(), robot.clone());
-    let mut session = Session::drive(SessionRecord::new(source, vec![mapper], seed)).ok()?;
+    let mut session = Session::drive(SessionRecord::new(source, vec![mapper.clone()], seed)).ok()?;
     driver.drive(&mut session);
     let end = session.world_from_robot()?.position;
     let arrived = episode.route.last()?.distance(end) < ARRIVED;

@@ -1,6 +1,9 @@
 use cogmap_simulation::Robot;
 
-use super::{PERCEPTUAL, TRANSFORM, closest_pair, courses, grid, perceptual, robots, transform, whole_map};
+use super::{
+    NO_RECOGNITION, PERCEPTUAL, TRANSFORM, closest_pair, courses, grid, no_recognition, perceptual, robots,
+    transform, whole_map,
+};
 use crate::{Bound, Check, Group, Outcome, Study, metrics::paired};
 
 /// Shares of the things in the world that can be told apart by sight.
@@ -18,12 +21,12 @@ pub(crate) const STUDY: Study = Study {
     shown: &["shape", "side_angle", "gap", "pieces", "displaced", "displaced_any", "weak", "fallbacks"],
     plan: |request| {
         let courses = courses(request, "environment-b", "loop")?;
-        let mappers = [transform(), perceptual(), closest_pair(), whole_map()];
+        let mappers = [transform(), perceptual(), closest_pair(), whole_map(), no_recognition()];
         Ok(grid(&courses, &seeing(&robots(&["bad"]), &SHARES), &mappers))
     },
     judge: |outcome| {
         let of = |mapper: &&str| all_by_sight(&outcome.groups_of("bad", mapper).collect::<Vec<_>>(), outcome);
-        [TRANSFORM, PERCEPTUAL].iter().flat_map(of).collect()
+        [TRANSFORM, PERCEPTUAL, NO_RECOGNITION].iter().flat_map(of).collect()
     },
 };
 

@@ -20,7 +20,11 @@ impl Candidates {
             let placed = line.seen_from(pose);
             let near: Vec<Line> = known
                 .facing(placed.heading, angle)
-                .filter(|other| placed.along.dot(other.along) >= parallel && within(&placed, other, reach))
+                .filter(|other| {
+                    placed.along.dot(other.along) >= parallel
+                        && placed.may_be(other)
+                        && within(&placed, other, reach)
+                })
                 .copied()
                 .collect();
             total += line.length;

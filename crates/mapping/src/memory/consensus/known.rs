@@ -75,6 +75,7 @@ mod tests {
             ends: [End::True; 2],
             variance: 1e-4,
             spacing: 0.01,
+            label: None,
         }
     }
 

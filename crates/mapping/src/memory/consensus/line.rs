@@ -20,6 +20,8 @@ pub(super) struct Line {
     pub(super) variance: f64,
     /// How far an end may lie from the true one because beams are sparse, metres.
     pub(super) spacing: f64,
+    /// What it was told apart as by sight, where it was.
+    pub(super) label: Option<u32>,
 }
 
 /// The lines of a view, in the robot's frame.
@@ -37,7 +39,17 @@ impl Line {
         let sigma = surface.residual.max(NOISE_FLOOR);
         let variance = 2.0 * sigma * sigma / surface.points.max(1) as f64;
         let spacing = length / (surface.points.max(2) - 1) as f64;
-        Some(Self { tag, a, along, heading, length, ends: surface.ends, variance, spacing })
+        Some(Self {
+            tag,
+            a,
+            along,
+            heading,
+            length,
+            ends: surface.ends,
+            variance,
+            spacing,
+            label: surface.label,
+        })
     }
 
     pub(super) fn b(&self) -> DVec2 {
@@ -75,6 +87,11 @@ impl Line {
     /// Metres along the line from its first end to a point.
     pub(super) fn at(&self, point: DVec2) -> f64 {
         self.along.dot(point - self.a)
+    }
+
+    /// Whether both may be of the same thing: two that were told apart by sight are not.
+    pub(super) fn may_be(&self, other: &Self) -> bool {
+        self.label.zip(other.label).is_none_or(|(mine, others)| mine == others)
     }
 
     /// The part of this line beside another, as metres along this one.

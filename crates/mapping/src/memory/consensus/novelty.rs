@@ -35,8 +35,8 @@ impl Default for Novelty {
 }
 
 pub(super) fn is_new(placed: &Line, known: &Known, params: &Novelty) -> bool {
-    let cover = placed.covered_by(known.facing(placed.heading, params.angle), params.distance, params.angle)
-        / placed.length;
+    let facing = known.facing(placed.heading, params.angle).filter(|other| placed.may_be(other));
+    let cover = placed.covered_by(facing, params.distance, params.angle) / placed.length;
     if placed.length >= params.debris {
         return cover < params.cover;
     }

@@ -19,8 +19,10 @@ pub struct Search {
     pub search_contradiction: f64,
     /// When this share of the view fits, that is where the robot is.
     pub sure: f64,
-    /// Believe odometry alone when less than this share fits anywhere.
+    /// Believe odometry alone when less than this share fits anywhere …
     pub lost_below: f64,
+    /// … and fewer metres than this either: in a doorway most of what is in view may be new.
+    pub enough: f64,
     /// Turns to try to either side, radians.
     pub turns: [f64; 4],
     /// Shifts to try in each direction, metres.
@@ -45,6 +47,7 @@ impl Default for Search {
             search_contradiction: 0.2,
             sure: 0.8,
             lost_below: 0.3,
+            enough: 0.7,
             turns: [6.0 * degree, 12.0 * degree, 20.0 * degree, 30.0 * degree],
             shifts: [0.25, 0.5],
             near: 0.3,
@@ -53,6 +56,13 @@ impl Default for Search {
             slack_per_step: 0.05,
             slack_max: 0.5,
         }
+    }
+}
+
+impl Search {
+    /// Whether enough of the view fits to believe it.
+    pub(super) fn believes(&self, fit: &Fit) -> bool {
+        fit.fraction >= self.lost_below || fit.matched >= self.enough
     }
 }
 
@@ -130,4 +140,24 @@ fn starts(predicted: Pose, search: &Search) -> impl Iterator<Item = Pose> {
             .collect();
         starts
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_doorway_s_jambs_are_enough_to_believe_where_the_rest_of_the_view_is_new() {
+        let fit = |fraction, matched| Fit {
+            pose: Pose::IDENTITY,
+            matched,
+            fraction,
+            rank: 3,
+            open: None,
+            matches: Vec::new(),
+        };
+        let search = Search::default();
+        assert!(search.believes(&fit(0.35, 0.4)) && search.believes(&fit(0.2, 1.2)));
+        assert!(!search.believes(&fit(0.2, 0.4)));
+    }
 }
