@@ -2,20 +2,23 @@ use std::collections::BTreeMap;
 
 use cogmap_formats::{run::map, session};
 use cogmap_geometry::DVec2;
-use cogmap_scene::{MemoryOptions, Sheet};
+use cogmap_scene::{MemoryOptions, Scene, Sheet};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::{JsError, prelude::wasm_bindgen};
 use web_sys::OffscreenCanvasRenderingContext2d;
 
 use crate::{
     canvas::{Canvas, Place},
+    explaining::explanation,
+    explanation::{Explanation, StageKind},
     failure::Failure,
+    landmarks::Landmark,
     layers::Layers,
     look::Look,
     opening,
     order::Order,
     run::Run,
-    scenes::scene,
+    scenes::{explained, scene},
     setup::{Choices, Opening, Setup},
     status::Status,
     views::{View, Views},
@@ -27,6 +30,8 @@ pub struct Laboratory {
     run: Run,
     views: Views,
     shown: MemoryOptions,
+    /// The stage of the latest step that is pointed out, and in which view.
+    pointed: Option<(View, StageKind)>,
     canvases: BTreeMap<View, Canvas>,
 }
 
@@ -71,6 +76,11 @@ impl Laboratory {
         self.run.advance_to_next_view();
     }
 
+    /// Goes back to when the view before the latest was taken.
+    pub fn back_to_previous_view(&mut self) {
+        self.run.back_to_previous_view();
+    }
+
     /// Goes to any moment of the run, in ticks or readings.
     pub fn jump(&mut self, position: f64) {
         self.run.jump(position as u64);
@@ -94,6 +104,14 @@ impl Laboratory {
     /// None that a page could cause.
     pub fn status(&self) -> Result<Ts<Status>, JsError> {
         Ok(self.run.status().into_ts()?)
+    }
+
+    /// What the timeline marks, in order, as far as the run has ever come.
+    ///
+    /// # Errors
+    /// None that a page could cause.
+    pub fn landmarks(&mut self) -> Result<Vec<Ts<Landmark>>, JsError> {
+        Ok(self.run.landmarks().iter().map(Tsify::into_ts).collect::<Result<_, _>>()?)
     }
 
     /// Tells the robot what to do.
@@ -173,6 +191,27 @@ impl Laboratory {
         Ok(())
     }
 
+    /// Why the memory in a view is as it is: its latest step taken apart; nothing where there is no step.
+    ///
+    /// # Errors
+    /// What is no view.
+    pub fn explain(&self, view: &Ts<View>) -> Result<Option<Ts<Explanation>>, JsError> {
+        let mapper = view.to_rust()?.mapper();
+        let explanation = mapper.and_then(|mapper| explanation(self.run.session(), mapper));
+        Ok(explanation.map(|explanation| explanation.into_ts()).transpose()?)
+    }
+
+    /// Points out in a view what a stage of its latest step is about; without a stage, nothing.
+    ///
+    /// # Errors
+    /// What is no view or no stage.
+    #[allow(clippy::needless_pass_by_value, reason = "an optional value can cross in no other form")]
+    pub fn point_out(&mut self, view: &Ts<View>, stage: Option<Ts<StageKind>>) -> Result<(), JsError> {
+        let view = view.to_rust()?;
+        self.pointed = stage.map(|stage| stage.to_rust()).transpose()?.map(|stage| (view, stage));
+        Ok(())
+    }
+
     /// Shows everything again.
     pub fn fit(&mut self) {
         self.views.fit();
@@ -203,7 +242,7 @@ impl Laboratory {
         density: f64,
     ) -> Result<bool, JsError> {
         let (view, look) = (view.to_rust()?, look.to_rust()?);
-        let scene = scene(self.run.session(), view, self.shown);
+        let scene = self.scene(view);
         let DVec2 { x: width, y: height } = self.views.size(view);
         let legend = self.views.has_legend(view);
         let sheet =
@@ -248,7 +287,17 @@ impl Laboratory {
         for view in all_views(&run) {
             views.make_room(&scene(run.session(), view, shown));
         }
-        Self { run, views, shown, canvases: BTreeMap::new() }
+        Self { run, views, shown, pointed: None, canvases: BTreeMap::new() }
+    }
+
+    /// What a view shows at this moment.
+    fn scene(&self, view: View) -> Scene {
+        let session = self.run.session();
+        let pointed = self.pointed.filter(|(pointed, _)| *pointed == view);
+        match (pointed, view.mapper()) {
+            (Some((_, stage)), Some(mapper)) => explained(session, mapper, stage.stage(), self.shown),
+            _ => scene(session, view, self.shown),
+        }
     }
 }
 

@@ -10,9 +10,12 @@
 //! bytes anywhere.
 
 mod canvas;
+mod explaining;
+mod explanation;
 mod failure;
 mod homing;
 mod laboratory;
+mod landmarks;
 mod layers;
 mod look;
 mod memories;
@@ -24,7 +27,12 @@ mod setup;
 mod status;
 mod views;
 
+pub use explanation::{
+    AlongKind, Candidate, Corrected, Explanation, FittingPair, ReferenceReport, StageKind, StageReport,
+    Weighed,
+};
 pub use laboratory::Laboratory;
+pub use landmarks::Landmark;
 pub use layers::{Colours, Layers};
 pub use look::Look;
 pub use order::Order;

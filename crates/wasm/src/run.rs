@@ -1,10 +1,11 @@
 use cogmap_geometry::{DVec2, Pose};
 use cogmap_mapping::MapperSetup;
-use cogmap_simulation::{Command, Driver, Robot, Session, Source, Stamped};
+use cogmap_simulation::{Command, Driver, Robot, Session, Source, Stamped, TICK};
 
 use crate::{
     failure::Failure,
     homing::homing,
+    landmarks::{Landmark, Landmarks},
     memories::memories,
     order::{Order, step_to},
     status::{SourceKind, Status},
@@ -35,13 +36,14 @@ pub(crate) struct Run {
     live: bool,
     /// Whether an order was given that no tick has seen yet.
     told: bool,
+    landmarks: Landmarks,
 }
 
 impl Run {
     /// A run that its driver takes along a route; without one the robot waits for orders.
     pub(crate) fn new(session: Session, label: Label, driver: Option<Driver>) -> Self {
         let live = driver.is_some();
-        Self { session, label, driver, live, told: false }
+        Self { session, label, driver, live, told: false, landmarks: Landmarks::default() }
     }
 
     pub(crate) fn session(&self) -> &Session {
@@ -93,6 +95,31 @@ impl Run {
         self.told = false;
     }
 
+    /// Goes back to when the first mapper took the view before its latest.
+    pub(crate) fn back_to_previous_view(&mut self) {
+        let before = self.views().checked_sub(2);
+        let report = before.and_then(|before| self.session.journal().mappers.first()?.reports.get(before));
+        if let Some(position) = report.map(|report| self.position_at(report.t)) {
+            self.jump(position);
+        }
+    }
+
+    /// What the timeline marks, in order, as far as the run has ever come.
+    pub(crate) fn landmarks(&mut self) -> Vec<Landmark> {
+        let mut landmarks = std::mem::take(&mut self.landmarks);
+        landmarks.note(&self.session, |t| self.position_at(t));
+        self.landmarks = landmarks;
+        self.landmarks.all(&self.session)
+    }
+
+    /// The position at which what happened at a time, in seconds, has just happened.
+    pub(crate) fn position_at(&self, t: f64) -> u64 {
+        match &self.session.record().source {
+            Source::World { .. } => (t / TICK).round() as u64,
+            Source::Log { .. } => self.session.journal().odometry.partition_point(|scan| scan.t <= t) as u64,
+        }
+    }
+
     /// Ends the playing of the route: the robot finishes its step and waits.
     pub(crate) fn take_over(&mut self) {
         self.driver = None;
@@ -125,6 +152,7 @@ impl Run {
         self.live = true;
         self.told = true;
         self.session.command(command);
+        self.landmarks.forget_after(self.session.position());
     }
 
     fn views(&self) -> usize {
@@ -134,6 +162,7 @@ impl Run {
     /// Shows the run to other mappers: a drive stays where it is, a log, which may be long, begins anew.
     pub(crate) fn remap(&mut self, mappers: Vec<MapperSetup>) -> Result<(), Failure> {
         let position = if self.robot().is_some() { self.session.position() } else { 0 };
+        self.landmarks = Landmarks::default();
         self.session = self.session.remapped(mappers)?;
         self.session.jump(position);
         Ok(())

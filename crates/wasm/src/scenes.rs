@@ -1,5 +1,5 @@
 use cogmap_geometry::Pose;
-use cogmap_scene::{MemoryOptions, Scene, WorldOptions, memory_scene, world_scene};
+use cogmap_scene::{MemoryOptions, Scene, Stage, WorldOptions, memory_scene, point_out, world_scene};
 use cogmap_simulation::Session;
 
 use crate::views::View;
@@ -12,6 +12,14 @@ pub(crate) fn scene(session: &Session, view: View, options: MemoryOptions) -> Sc
     let Some(mapper) = view.mapper() else { return world_scene(session, IN_THE_WORLD) };
     let shared_from_map = shared_from_map(session, mapper).unwrap_or(Pose::IDENTITY);
     memory_scene(session, mapper, options).seen_from(shared_from_map)
+}
+
+/// The memory of a mapper, with what a stage of its latest step is about pointed out.
+pub(crate) fn explained(session: &Session, mapper: usize, stage: Stage, options: MemoryOptions) -> Scene {
+    let shared_from_map = shared_from_map(session, mapper).unwrap_or(Pose::IDENTITY);
+    let mut scene = memory_scene(session, mapper, MemoryOptions { view: false, ..options });
+    point_out(&mut scene, session, mapper, stage);
+    scene.seen_from(shared_from_map)
 }
 
 /// Where the frame of a mapper's memory lies in the world, or in the odometry's frame where there is

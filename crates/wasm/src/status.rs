@@ -150,6 +150,12 @@ pub enum Happening {
     Lost,
     /// The robot found itself in a place that it knew, and goes on in its coordinates.
     Recognised,
+    /// The robot was told to go home.
+    ToldHome,
+    /// The robot was set down elsewhere.
+    Kidnapped,
+    /// Something was changed around the robot.
+    WorldChanged,
 }
 
 /// What a run's readings come from.

@@ -19,6 +19,11 @@ export type Action =
   | 'plans'
   | 'colours'
   | 'theme'
+  | 'why'
+  | 'markOn'
+  | 'markBack'
+  | 'whyOn'
+  | 'whyBack'
   | 'help';
 
 const DIRECTIONS: Record<string, Direction> = {
@@ -52,6 +57,11 @@ const ACTIONS: Record<string, Action> = {
   p: 'plans',
   c: 'colours',
   t: 'theme',
+  '>': 'markOn',
+  '<': 'markBack',
+  y: 'why',
+  k: 'whyOn',
+  j: 'whyBack',
   '?': 'help',
 };
 

@@ -2,8 +2,9 @@ import { proxy, transfer, wrap, type Remote } from 'comlink';
 import { strings } from '../strings';
 import type { Bench } from '../worker/bench';
 import { GENERATED, type Choice, type Layers, type Notice, type Offer, type Pace, type Saved, type View } from '../worker/protocol';
-import type { Look, Order, Status } from '../wasm/cogmap_wasm';
+import type { Landmark, Look, Order, Status } from '../wasm/cogmap_wasm';
 import { save } from './save';
+import { Why } from './why.svelte';
 
 /** Speeds to choose from. */
 export const PACES: Pace[] = [1, 2, 4, 8, 16, 32, 'full'];
@@ -23,6 +24,8 @@ export class Lab {
   /** How the robot finds the way when it is told to go home. */
   strategy = $state('');
   status = $state.raw<Status>();
+  /** What the timeline marks, moment by moment. */
+  marks = $state.raw<Landmark[][]>([]);
   playing = $state(false);
   pace = $state<Pace>(2);
   /** What is shown of the memories. */
@@ -62,6 +65,12 @@ export class Lab {
     ...(this.world ? (['world'] as const) : []),
     ...(this.status?.memories.map(({ view }) => view) ?? (['first'] as const)),
   ]);
+
+  /** The step that is taken apart. */
+  readonly why = new Why({
+    explain: (view, stage) => this.bench.explain(view, stage),
+    toView: (by) => (by < 0 ? this.bench.previous() : this.bench.next()),
+  });
 
   private readonly bench: Remote<Bench>;
 
@@ -234,11 +243,42 @@ export class Lab {
     }
   }
 
-  private hear({ status, playing, pace }: Notice): void {
+  /** Asks why a memory is as it is, and stops time for the answer; asked again, goes on. */
+  askWhy(view: View): void {
+    if (this.why.view === view) return this.why.close();
+    void this.bench.play(false);
+    this.why.open(view);
+  }
+
+  /** Goes to the next mark of the timeline, or back to the one before. */
+  toMark(by: -1 | 1): void {
+    const here = this.status?.position ?? 0;
+    const moments = this.marks.map(([mark]) => mark?.position ?? 0);
+    const to = by > 0 ? moments.find((position) => position > here) : moments.findLast((position) => position < here);
+    if (to !== undefined) this.jump(to);
+  }
+
+  private hear({ status, playing, pace, marks, why }: Notice): void {
+    if (marks.length !== this.marks.flat().length || marks.at(-1)?.position !== this.marks.at(-1)?.[0]?.position) {
+      this.marks = byMoment(marks);
+    }
     this.status = status;
+    if (this.why.view && !status.memories.some(({ view }) => view === this.why.view)) this.why.close();
+    this.why.hear(why);
     this.playing = playing;
     this.pace = pace;
   }
+}
+
+/** What happened at the same moment together. */
+function byMoment(marks: Landmark[]): Landmark[][] {
+  const moments: Landmark[][] = [];
+  for (const mark of marks) {
+    const last = moments.at(-1);
+    if (last?.[0]?.position === mark.position) last.push(mark);
+    else moments.push([mark]);
+  }
+  return moments;
 }
 
 function reason(error: unknown): string {

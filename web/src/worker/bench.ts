@@ -4,6 +4,7 @@ import init, {
   type Look,
   type Order,
   type SourceKind,
+  type StageKind,
   type Status,
 } from '../wasm/cogmap_wasm';
 import { Clock } from './clock';
@@ -32,6 +33,8 @@ export class Bench {
   private readonly paces: Record<SourceKind, Pace> = { world: 2, log: 'full' };
   private source: SourceKind = 'world';
   private layers: Layers | undefined;
+  /** The memory whose latest step is taken apart. */
+  private explained: View | undefined;
 
   /** Loads the engine. */
   async begin(listen: (notice: Notice) => void): Promise<Offer> {
@@ -129,6 +132,19 @@ export class Bench {
   next(): void {
     this.play(false);
     this.laboratory?.advance_to_next_view();
+  }
+
+  /** Goes back to when the view before the latest was taken. */
+  previous(): void {
+    this.play(false);
+    this.laboratory?.back_to_previous_view();
+  }
+
+  /** Takes the latest step of a memory apart and points one of its stages out; without a memory, no longer. */
+  explain(view: View | undefined, stage: StageKind | undefined): void {
+    this.explained = view;
+    this.laboratory?.point_out(view ?? 'world', stage);
+    this.refresh();
   }
 
   /**
@@ -266,7 +282,10 @@ export class Bench {
     if (!this.laboratory) return;
     this.noticed = now;
     const status = this.laboratory.status();
-    this.listen({ status, playing: this.playing || this.hurry !== undefined, pace: this.paces[status.source] });
+    const why = this.explained && this.laboratory.explain(this.explained);
+    const playing = this.playing || this.hurry !== undefined;
+    const marks = this.laboratory.landmarks();
+    this.listen({ status, playing, pace: this.paces[status.source], marks, why });
   }
 }
 
