@@ -18,7 +18,7 @@ use crate::{
     opening,
     order::Order,
     run::Run,
-    scenes::{explained, scene},
+    scenes::{explained, scene, with_left_ways},
     setup::{Choices, Opening, Setup},
     status::Status,
     views::{View, Views},
@@ -120,6 +120,21 @@ impl Laboratory {
     /// What is no order, or no strategy.
     pub fn order(&mut self, order: &Ts<Order>) -> Result<(), JsError> {
         Ok(self.run.order(order.to_rust()?)?)
+    }
+
+    /// Takes back the last thing that a person told the robot; `false` if there is none.
+    pub fn undo(&mut self) -> bool {
+        self.run.undo()
+    }
+
+    /// Does again what was undone; `false` if there is nothing.
+    pub fn redo(&mut self) -> bool {
+        self.run.redo()
+    }
+
+    /// Goes over to another future that was left, at the same moment if it lasts so long.
+    pub fn switch_branch(&mut self) {
+        self.run.switch_branch();
     }
 
     /// Ends the playing of the route: the robot finishes its step and waits for orders.
@@ -296,7 +311,8 @@ impl Laboratory {
         let pointed = self.pointed.filter(|(pointed, _)| *pointed == view);
         match (pointed, view.mapper()) {
             (Some((_, stage)), Some(mapper)) => explained(session, mapper, stage.stage(), self.shown),
-            _ => scene(session, view, self.shown),
+            (_, Some(_)) => scene(session, view, self.shown),
+            (_, None) => with_left_ways(scene(session, view, self.shown), self.run.left_ways()),
         }
     }
 }

@@ -10,6 +10,7 @@
 //! bytes anywhere.
 
 mod canvas;
+mod courses;
 mod explaining;
 mod explanation;
 mod failure;

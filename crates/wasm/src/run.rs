@@ -1,8 +1,11 @@
+use std::rc::Rc;
+
 use cogmap_geometry::{DVec2, Pose};
 use cogmap_mapping::MapperSetup;
 use cogmap_simulation::{Command, Driver, Robot, Session, Source, Stamped, TICK};
 
 use crate::{
+    courses::{Branch, Course, Courses, Deed},
     failure::Failure,
     homing::homing,
     landmarks::{Landmark, Landmarks},
@@ -37,13 +40,15 @@ pub(crate) struct Run {
     /// Whether an order was given that no tick has seen yet.
     told: bool,
     landmarks: Landmarks,
+    courses: Courses,
 }
 
 impl Run {
     /// A run that its driver takes along a route; without one the robot waits for orders.
     pub(crate) fn new(session: Session, label: Label, driver: Option<Driver>) -> Self {
         let live = driver.is_some();
-        Self { session, label, driver, live, told: false, landmarks: Landmarks::default() }
+        let (landmarks, courses) = (Landmarks::default(), Courses::default());
+        Self { session, label, driver, live, told: false, landmarks, courses }
     }
 
     pub(crate) fn session(&self) -> &Session {
@@ -91,6 +96,9 @@ impl Run {
     }
 
     pub(crate) fn jump(&mut self, position: u64) {
+        if position < self.session.position() {
+            self.courses.go_back(&self.session, position);
+        }
         self.session.jump(position.min(self.session.end()));
         self.told = false;
     }
@@ -122,6 +130,9 @@ impl Run {
 
     /// Ends the playing of the route: the robot finishes its step and waits.
     pub(crate) fn take_over(&mut self) {
+        if self.driver.is_some() {
+            self.courses.leave(&self.session, self.course());
+        }
         self.driver = None;
     }
 
@@ -148,11 +159,85 @@ impl Run {
     }
 
     fn tell(&mut self, command: Command) {
+        if self.session.refusal(&command).is_none() && !self.steers_on() {
+            self.courses.leave(&self.session, self.course());
+        }
         self.driver = None;
         self.live = true;
         self.told = true;
         self.session.command(command);
         self.landmarks.forget_after(self.session.position());
+    }
+
+    /// Whether a person is steering right now: what is told then belongs to the same deed.
+    fn steers_on(&self) -> bool {
+        let last = self.session.record().commands().last().map(|timed| &timed.command);
+        let moves =
+            matches!(last, Some(Command::Drive { linear, angular }) if *linear != 0.0 || *angular != 0.0);
+        moves && self.driver.is_none() && self.session.position() >= self.session.end()
+    }
+
+    fn course(&self) -> Course {
+        let (source, position) = (self.session.record().source.clone().into(), self.session.position());
+        Course { source, driver: self.driver.clone().map(Rc::new), live: self.live, position }
+    }
+
+    /// Takes back the last thing that a person told the robot; `false` if there is none.
+    pub(crate) fn undo(&mut self) -> bool {
+        let Some(deed) = self.courses.undo.pop() else { return false };
+        let undone = self.deed();
+        self.go_over_to(deed);
+        self.courses.redo.push(undone);
+        true
+    }
+
+    /// Does again what was undone; `false` if there is nothing.
+    pub(crate) fn redo(&mut self) -> bool {
+        let Some(deed) = self.courses.redo.pop() else { return false };
+        let done = self.deed();
+        self.go_over_to(deed);
+        self.courses.undo.push(done);
+        true
+    }
+
+    fn deed(&self) -> Deed {
+        Deed { course: self.course(), branches: self.courses.branches.clone() }
+    }
+
+    /// Goes over to the future that was left longest ago, and keeps this one in its place.
+    pub(crate) fn switch_branch(&mut self) {
+        if self.courses.branches.is_empty() {
+            return;
+        }
+        let here = self.session.position();
+        let left = self.deed();
+        let branch = self.courses.branches.remove(0);
+        let mut branches = std::mem::take(&mut self.courses.branches);
+        let parting = self.session.record().source.parts_from(&branch.course.source).unwrap_or(0);
+        branches.push(Branch {
+            course: left.course.clone(),
+            way: self.courses.way(&self.session, parting).into(),
+        });
+        self.courses.undo.push(left);
+        self.courses.redo.clear();
+        let course = Course { position: here, ..branch.course };
+        self.go_over_to(Deed { course, branches });
+    }
+
+    fn go_over_to(&mut self, Deed { course, branches }: Deed) {
+        let parting = self.session.record().source.parts_from(&course.source).unwrap_or(0);
+        if self.session.go_over_to(&course.source) {
+            self.landmarks.forget_after(parting);
+            self.courses.go_over();
+            (self.live, self.courses.branches) = (course.live, branches);
+            self.driver = course.driver.map(Rc::unwrap_or_clone);
+            self.jump(course.position);
+        }
+    }
+
+    /// Where the robot went in the futures that were left, in the world, metres.
+    pub(crate) fn left_ways(&self) -> impl Iterator<Item = &[DVec2]> {
+        self.courses.branches.iter().map(|branch| &*branch.way)
     }
 
     fn views(&self) -> usize {
@@ -191,6 +276,9 @@ impl Run {
             pose: pose.map(|Pose { position, heading }| [position.x, position.y, heading]),
             memories: memories(session),
             homing: homing(session),
+            undoable: self.courses.undo.len(),
+            redoable: self.courses.redo.len(),
+            branches: self.courses.branches.len(),
         }
     }
 }

@@ -200,6 +200,9 @@ export class Lab {
   next = (): void => void this.bench.next();
   finish = (): void => void this.bench.finish();
   jump = (position: number): void => void this.bench.jump(position);
+  undo = (): void => void this.bench.undo(false);
+  redo = (): void => void this.bench.undo(true);
+  switchBranch = (): void => void this.bench.switchBranch();
   drag = (x: number, y: number): void => void this.bench.drag(x, y);
   fit = (): void => void this.bench.fit();
 

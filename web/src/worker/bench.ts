@@ -134,6 +134,19 @@ export class Bench {
     this.laboratory?.advance_to_next_view();
   }
 
+  /** Takes back what a person did last, or does it again. */
+  undo(again: boolean): void {
+    this.play(false);
+    if (again) this.laboratory?.redo();
+    else this.laboratory?.undo();
+  }
+
+  /** Goes over to another future that was left. */
+  switchBranch(): void {
+    this.play(false);
+    this.laboratory?.switch_branch();
+  }
+
   /** Goes back to when the view before the latest was taken. */
   previous(): void {
     this.play(false);
