@@ -25,7 +25,10 @@ export default defineConfig({
         maximumFileSizeToCacheInBytes: 16 * 1024 * 1024,
         clientsClaim: true,
         skipWaiting: true,
-        navigateFallback: 'index.html',
+        // Every address of this folder is the one page, whatever it asks for; other versions of the page, in
+        // folders below this one, look after themselves.
+        navigateFallback: null,
+        ignoreURLParametersMatching: [/./],
         cleanupOutdatedCaches: true,
       },
       manifest: {
@@ -37,6 +40,7 @@ export default defineConfig({
         theme_color: '#f4f5f3',
         icons: [
           { src: 'icon.svg', sizes: 'any', type: 'image/svg+xml' },
+          { src: 'icon-192.png', sizes: '192x192', type: 'image/png' },
           { src: 'icon-512.png', sizes: '512x512', type: 'image/png', purpose: 'any maskable' },
         ],
       },

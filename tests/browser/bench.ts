@@ -6,8 +6,8 @@ export class BenchPage {
   constructor(readonly page: Page) {}
 
   /** Opens the page and waits until the robot is under way. */
-  async open(): Promise<void> {
-    await this.page.goto('./');
+  async open(address = ''): Promise<void> {
+    await this.page.goto(`./${address}`);
     await expect.poll(() => this.surfaces()).toBeGreaterThan(0);
   }
 
@@ -17,6 +17,11 @@ export class BenchPage {
 
   get world() {
     return this.page.getByRole('region', { name: 'The world' });
+  }
+
+  /** Where the world is chosen. */
+  get choice() {
+    return this.page.getByRole('combobox', { name: /^World/ });
   }
 
   /** What stands in place of Go Home while the robot is on its way. */
@@ -57,11 +62,23 @@ export class BenchPage {
     await this.page.dispatchEvent('body', 'drop', { dataTransfer: transfer });
   }
 
-  /** Saves one of the things that the page offers and returns it. */
-  async save(what: 'Picture' | 'Session' | 'Map'): Promise<{ name: string; bytes: Buffer }> {
-    const saving = this.page.waitForEvent('download');
-    await this.page.getByRole('button', { name: 'Save', exact: true }).click();
+  /** Chooses one of the things that can be saved or shared. */
+  async share(what: string): Promise<void> {
+    await this.page.getByRole('button', { name: 'Save, share' }).click();
     await this.page.getByRole('button', { name: new RegExp(`^${what}`) }).click();
+  }
+
+  /** Copies a link to this moment. */
+  async link(): Promise<string> {
+    await this.share('Copy link');
+    await expect(this.page.getByText('is copied')).toBeVisible();
+    return this.page.evaluate(() => navigator.clipboard.readText());
+  }
+
+  /** Saves one of the things that the page offers and returns it. */
+  async save(what: 'Picture' | 'Session' | 'Map' | 'Map by odometry'): Promise<{ name: string; bytes: Buffer }> {
+    const saving = this.page.waitForEvent('download');
+    await this.share(what);
     const download = await saving;
     return { name: download.suggestedFilename(), bytes: await readFile(await download.path()) };
   }

@@ -47,17 +47,23 @@ test('the second visit needs no network', async ({ page, context }) => {
   await page.evaluate(() => navigator.serviceWorker.ready.then(() => undefined));
   await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
   await context.setOffline(true);
+  await bench.open('?embed&world=tour');
   await bench.open();
   await bench.drop({ name: 'room.log', content: roomLog(20) });
   await expect(page.getByRole('slider', { name: 'Timeline' })).toHaveValue('20');
 });
 
-test('the policy allows nothing inline, and the page keeps to it', async ({ page }) => {
+test('the policy allows nothing inline, and a whole drive keeps to it', async ({ page }) => {
   const complaints: string[] = [];
   page.on('console', (message) => {
     if (message.type() === 'error') complaints.push(message.text());
   });
   page.on('pageerror', (error) => complaints.push(error.message));
+  await page.addInitScript(() => {
+    document.addEventListener('securitypolicyviolation', ({ violatedDirective, blockedURI }) =>
+      console.error(`policy: ${violatedDirective} ${blockedURI}`),
+    );
+  });
   const response = await page.goto('./');
   const header = response?.headers()['content-security-policy'] ?? '';
   const declared = await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute('content');
@@ -71,6 +77,51 @@ test('the policy allows nothing inline, and the page keeps to it', async ({ page
   await page.keyboard.press('?');
   await page.keyboard.press('Escape');
   await bench.takeOver();
+  await page.getByRole('button', { name: 'Switch to dark' }).click();
+  await bench.chip('odometry').click();
+  await page.keyboard.down('ArrowUp');
+  await page.waitForTimeout(500);
+  await page.keyboard.up('ArrowUp');
+  await page.getByRole('slider', { name: 'Timeline' }).fill('20');
+  await bench.save('Picture');
+  await bench.share('Copy link');
+  await page.keyboard.press('h');
+  await page.getByLabel('Speed').selectOption('Max');
+  await expect(page.getByText(/Home: it stopped by itself/).first()).toBeVisible();
+  // What is kept as the run grows is kept every two seconds.
+  await page.waitForTimeout(2500);
+  await bench.open();
+  await page.getByRole('button', { name: 'Go on', exact: true }).click();
+  await expect(page.getByText(/Home: it stopped by itself/).first()).toBeVisible();
   expect(complaints).toEqual([]);
   expect(await page.locator('style, script:not([src]), [style*=":"]').count()).toBe(0);
+  // The page would have been told: the ear is open.
+  await page.evaluate(() => document.body.append(Object.assign(document.createElement('script'), { text: '1' })));
+  await expect.poll(() => complaints.some((text) => text.includes('script-src'))).toBe(true);
+});
+
+test('the page can be installed', async ({ page, request }) => {
+  await new BenchPage(page).open();
+  const address = await page.locator('link[rel="manifest"]').getAttribute('href');
+  const manifestUrl = new URL(address ?? '', page.url()).href;
+  const manifest = (await (await request.get(manifestUrl)).json()) as {
+    name: string;
+    display: string;
+    start_url: string;
+    icons: { src: string; sizes: string; type: string; purpose?: string }[];
+  };
+  expect(manifest.name).toBe('Cogmap');
+  expect(manifest.display).toBe('standalone');
+  expect((await request.get(new URL(manifest.start_url, manifestUrl).href)).status()).toBe(200);
+  const png = manifest.icons.filter(({ type }) => type === 'image/png');
+  expect(png.map(({ sizes }) => sizes)).toEqual(expect.arrayContaining(['192x192', '512x512']));
+  expect(png.some(({ purpose }) => purpose?.includes('maskable'))).toBe(true);
+  for (const { src, sizes, type } of manifest.icons) {
+    const icon = await request.get(new URL(src, manifestUrl).href);
+    expect(icon.headers()['content-type']).toContain(type);
+    if (type === 'image/png') {
+      const bytes = await icon.body();
+      expect(`${bytes.readUInt32BE(16)}x${bytes.readUInt32BE(20)}`).toBe(sizes);
+    }
+  }
 });

@@ -81,7 +81,7 @@ test('a log is mapped again when another mapper is chosen', async ({ page }) => 
   await expect(bench.memory).toHaveCount(2);
   await expect(page.getByRole('slider', { name: 'Timeline' })).toHaveValue('40');
   const saving = page.waitForEvent('download');
-  await page.getByRole('button', { name: 'Save', exact: true }).click();
+  await page.getByRole('button', { name: 'Save, share' }).click();
   await page.getByRole('button', { name: /^Map by odometry/ }).click();
   expect((await saving).suggestedFilename()).toBe('room.map.odometry.json');
 });

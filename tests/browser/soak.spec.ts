@@ -140,7 +140,7 @@ async function memory(cdp: CDPSession, worker: WorkerSession): Promise<Record<st
 const LEARNED = '--js-flags=--no-lazy-feedback-allocation --no-flush-bytecode';
 
 test('two hundred ways home leave nothing behind, and end as they do natively', async ({ baseURL, launchOptions }) => {
-  test.setTimeout(300_000);
+  test.setTimeout(600_000);
   const browser = await chromium.launch({ ...launchOptions, args: [...(launchOptions.args ?? []), LEARNED] });
   const context = await browser.newContext({ baseURL: baseURL ?? '' });
   const page = await context.newPage();

@@ -42,10 +42,7 @@ fn drive() -> Session {
     let mapper = MapperSetup::named("perceptual").unwrap();
     let mut session =
         Session::drive(SessionRecord::new(Source::world(world, robot), vec![mapper], 1)).unwrap();
-    while let Some(command) = driver.next_command(session.world_from_robot().unwrap()) {
-        session.command(command);
-        while session.advance() && !session.at_rest() {}
-    }
+    driver.drive(&mut session);
     session
 }
 

@@ -60,10 +60,7 @@ impl Wanted {
         let mapper = MapperSetup::named("consensus").unwrap();
         let record = SessionRecord::new(Source::world(world, robot), vec![mapper], self.seed);
         let mut session = Session::drive(record).unwrap();
-        while let Some(command) = session.world_from_robot().and_then(|pose| driver.next_command(pose)) {
-            session.command(command);
-            while session.advance() && !session.at_rest() {}
-        }
+        driver.drive(&mut session);
         session.command(Command::GoHome { strategy: Strategy::named(self.strategy).unwrap() });
         while session.advance() && !session.at_rest() {}
         self.line(&session)

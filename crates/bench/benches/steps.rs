@@ -1,5 +1,5 @@
 //! Extraction and each mapper's step on a recorded log, and how a step of the recommended mapper grows with the
-//! map: the log first, then maps of so many surfaces.
+//! map: the log first, then maps of so many surfaces, then decisions on ways home.
 
 use std::path::Path;
 
@@ -22,7 +22,7 @@ fn main() {
     }
     let outcomes = race(log, |task| match task {
         Task::Extraction | Task::Mapper(_) => log.is_some(),
-        Task::Grown(_) => true,
+        Task::Grown(_) | Task::WayHome(_) => true,
         Task::Cast(..) => false,
     });
     if let Some((native, wasm)) = micros(&outcomes, Task::Mapper("consensus")) {
@@ -37,6 +37,16 @@ fn main() {
         println!("a step with 100,000 surfaces: {:.2} times one with 1,000 (at most 2)", large.0 / small.0);
         if let Some((small, large)) = small.1.zip(large.1) {
             println!("as wasm: {:.2} times", large / small);
+        }
+    }
+    for &setting in outcomes.iter().filter_map(|outcome| match &outcome.task {
+        Task::WayHome(setting) => Some(setting),
+        _ => None,
+    }) {
+        let Some((native, wasm)) = micros(&outcomes, Task::WayHome(setting)) else { continue };
+        println!("a decision on the way home, {setting}: {:.2} ms in the mean (at most 5)", native / 1e3);
+        if let Some(wasm) = wasm {
+            println!("as wasm: {:.2} times that (at most 1.5)", wasm / native);
         }
     }
 }

@@ -1,5 +1,5 @@
 //! What `cargo bench` times: the laser's raycaster against parry's BVH and against brute force;
-//! extraction and each mapper's step on a recorded log, and how a step grows with the map.
+//! extraction and each mapper's step on a recorded log, how a step grows with the map, and decisions on the way home.
 //!
 //! The same code is timed in this process and, built for wasm32, in Node by `node.mjs`, through the few
 //! functions of [`exports`]; [`race`] lets the two take turns, so that whatever else the machine does
@@ -8,12 +8,14 @@
 mod contest;
 pub mod exports;
 mod gallery;
+mod homing;
 mod office;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod race;
 mod robot;
 
 use contest::Contest;
+use homing::WayHome;
 use robot::{Run, Walker};
 
 /// Something to time.
@@ -25,6 +27,9 @@ pub enum Task {
     Mapper(&'static str),
     /// Steps of the recommended mapper with a map of so many surfaces.
     Grown(usize),
+    /// Decisions of the recommended strategy on a way home in the setting of that name; the time is that of a
+    /// decision, the scan and the mapper's step before it included.
+    WayHome(&'static str),
     /// Scans of a laser in an office of so many segments, by the method of that number in [`METHODS`].
     Cast(usize, usize),
 }
@@ -33,7 +38,7 @@ pub enum Task {
 pub const METHODS: [&str; 3] = ["ours", "parry", "brute"];
 
 /// Everything that is timed. Maps grow from one to the next.
-pub const TASKS: [Task; 18] = [
+pub const TASKS: [Task; 21] = [
     Task::Extraction,
     Task::Mapper("perceptual"),
     Task::Mapper("consensus"),
@@ -43,6 +48,9 @@ pub const TASKS: [Task; 18] = [
     Task::Grown(1_000),
     Task::Grown(10_000),
     Task::Grown(100_000),
+    Task::WayHome("furnished"),
+    Task::WayHome("boxes-moved"),
+    Task::WayHome("no-way"),
     Task::Cast(200, 0),
     Task::Cast(200, 1),
     Task::Cast(200, 2),
@@ -65,6 +73,7 @@ pub struct Bench {
 /// Everything that a task needs, so that a run does nothing else.
 enum Ready {
     Run(Box<Run>),
+    WayHome(Box<WayHome>),
     Contest(Box<Contest>, usize),
 }
 
@@ -82,6 +91,9 @@ impl Bench {
             Some(Task::Extraction) => Run::on_log(&self.log, None).map(on_robot),
             Some(Task::Mapper(name)) => Run::on_log(&self.log, Some(name)).map(on_robot),
             Some(&Task::Grown(surfaces)) => Some(on_robot(self.walker.walk(surfaces))),
+            Some(Task::WayHome(setting)) => {
+                WayHome::in_setting(setting).map(|way| Ready::WayHome(Box::new(way)))
+            }
             Some(&Task::Cast(segments, method)) => {
                 Some(Ready::Contest(Box::new(Contest::new(segments)), method))
             }
@@ -89,6 +101,7 @@ impl Bench {
         };
         match &self.ready {
             Some(Ready::Run(run)) => run.steps(),
+            Some(Ready::WayHome(way)) => way.decisions(),
             Some(Ready::Contest(_, method)) => Contest::scans(*method),
             None => 0,
         }
@@ -96,8 +109,10 @@ impl Bench {
 
     /// Goes back to what a run begins with; not timed.
     pub fn rewind(&mut self) {
-        if let Some(Ready::Run(run)) = &mut self.ready {
-            run.rewind();
+        match &mut self.ready {
+            Some(Ready::Run(run)) => run.rewind(),
+            Some(Ready::WayHome(way)) => way.rewind(),
+            _ => {}
         }
     }
 
@@ -105,6 +120,7 @@ impl Bench {
     pub fn run(&mut self) -> f64 {
         match &mut self.ready {
             Some(Ready::Run(run)) => run.run(),
+            Some(Ready::WayHome(way)) => way.run(),
             Some(Ready::Contest(contest, method)) => contest.run(*method),
             None => 0.0,
         }

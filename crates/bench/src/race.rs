@@ -97,6 +97,7 @@ fn print(outcome: &Outcome) {
         Task::Extraction => "extraction".to_owned(),
         Task::Mapper(name) => name.to_owned(),
         Task::Grown(surfaces) => format!("{surfaces} surfaces"),
+        Task::WayHome(setting) => format!("home, {setting}"),
         Task::Cast(segments, method) => format!("{segments} segments, {}", crate::METHODS[method]),
     };
     let other = wasm.map_or(String::new(), |wasm| format!("{wasm:>13.1}{:>8.2}×", wasm / native));

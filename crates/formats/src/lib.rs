@@ -5,6 +5,7 @@
 //! | world, `NAME.world.json` | [`world::read`] | [`world::write`], [`world::schema`] |
 //! | floor plan, ROS `map_server` YAML, PNG, PGM | [`plan::Plan::trace`] | |
 //! | session, `session.json` | [`session::read`] | [`session::write`] |
+//! | situation, in links of the page | [`situation::read`] | [`situation::write`] |
 //! | CARMEN log | [`carmen::read`] | |
 //! | trajectory, `*.tum` | [`tum::read`] | [`tum::write`] |
 //! | hand-matched relations, `*.relations` | [`relations::read`] | |
@@ -23,6 +24,7 @@ pub mod plan;
 pub mod relations;
 pub mod run;
 pub mod session;
+pub mod situation;
 pub mod tum;
 pub mod world;
 

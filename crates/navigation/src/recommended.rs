@@ -5,6 +5,7 @@
 mod floor;
 mod footing;
 mod ground;
+mod params;
 mod rescue;
 mod search;
 mod sight;
@@ -13,7 +14,6 @@ mod tiles;
 
 use cogmap_geometry::{DVec2, Pose, trig::FRAC_PI_4};
 use cogmap_mapping::{Mapper, perception::Reading};
-use serde::{Deserialize, Serialize};
 
 use crate::{
     Anchored, Atlas, Belief, HomingEvent, steering,
@@ -22,43 +22,12 @@ use crate::{
 use footing::Ease;
 pub use footing::Footing;
 use ground::Ground;
+pub use params::RecommendedParams;
 pub use rescue::RescueParams;
 use rescue::{Lead, Rescue};
 use search::{Search, Way};
 use survey::Survey;
 use tiles::Cell;
-
-/// What [`StrategySetup::Recommended`](crate::StrategySetup::Recommended) goes by.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct RecommendedParams {
-    /// What it costs to go somewhere.
-    pub footing: Footing,
-    /// Another way is taken only where it is cheaper by so many metres …
-    pub hysteresis: f64,
-    /// … and by this share.
-    pub hysteresis_share: f64,
-    /// While the way that it has in mind becomes no worse the robot looks for a better one at each so many
-    /// decisions.
-    pub look_for_better: u32,
-    /// A wall that was met so often closes a way for good.
-    pub closed: u8,
-    /// When the fail-safe takes over, and when the robot gives up.
-    pub rescue: RescueParams,
-}
-
-impl Default for RecommendedParams {
-    fn default() -> Self {
-        Self {
-            footing: Footing::default(),
-            hysteresis: 1.0,
-            hysteresis_share: 0.05,
-            look_for_better: 3,
-            closed: 2,
-            rescue: RescueParams::default(),
-        }
-    }
-}
 
 /// A way has become no worse while it costs no more than this above what was expected.
 const RISE: f64 = 0.3;
@@ -83,6 +52,8 @@ pub(crate) struct Recommended {
     since_search: u32,
     rescue: Rescue,
     dropped: usize,
+    /// Ways that the robot had in mind and that turned out closed.
+    closed_ways: u32,
 }
 
 /// What a decision is about, on the floor.
@@ -118,6 +89,7 @@ impl Recommended {
             since_search: 0,
             rescue,
             dropped,
+            closed_ways: 0,
         }
     }
 
@@ -163,9 +135,10 @@ impl Recommended {
 
     /// The cheapest way home, or the one that the robot has in mind where that is hardly dearer.
     fn choose(&mut self, scene: &Scene) -> Option<Choice> {
+        let footing = self.params.footing_after(self.closed_ways);
         let ease = Ease {
             floor: self.ground.floor(),
-            footing: &self.params.footing,
+            footing: &footing,
             trust: self.rescue.trust(),
             robot: Cell::at(scene.robot),
             moment: self.moment,
@@ -176,18 +149,12 @@ impl Recommended {
         let before = if had_one { search.cost(scene.robot, &kept) } else { None };
         if had_one && before.is_none() {
             self.rescue.closed();
+            self.closed_ways = self.closed_ways.saturating_add(1);
         }
         let as_good = before.is_some_and(|cost| cost <= self.expected + RISE);
         self.since_search = if as_good { self.since_search + 1 } else { 0 };
         let content = as_good && !self.since_search.is_multiple_of(self.params.look_for_better);
-        let found = if content { None } else { search.way(before.is_none()) }.and_then(|cells| {
-            let mut points: Vec<DVec2> = cells.into_iter().skip(1).map(Cell::middle).collect();
-            if points.is_empty() {
-                points.push(scene.robot);
-            }
-            let corners = search.pull_tight(scene.robot, &points);
-            Some(Way { cost: search.cost(scene.robot, &corners)?, corners })
-        });
+        let found = if content { None } else { found(&mut search, scene.robot, before.is_none()) };
         let worth = |cost: f64| cost + self.params.hysteresis + self.params.hysteresis_share * cost;
         let (way, switched) = match (found, before) {
             (Some(found), Some(before)) if worth(found.cost) < before => (found, true),
@@ -281,6 +248,16 @@ impl Recommended {
             }
         }
     }
+}
+
+/// The way that a search finds, pulled tight.
+fn found(search: &mut Search, robot: DVec2, wide: bool) -> Option<Way> {
+    let mut points: Vec<DVec2> = search.way(wide)?.into_iter().skip(1).map(Cell::middle).collect();
+    if points.is_empty() {
+        points.push(robot);
+    }
+    let corners = search.pull_tight(robot, &points);
+    Some(Way { cost: search.cost(robot, &corners)?, corners })
 }
 
 /// Metres that the robot has come since it began, as far as links lead there.

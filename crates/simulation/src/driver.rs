@@ -1,6 +1,6 @@
 use cogmap_geometry::{DVec2, Pose};
 
-use crate::{Command, Robot, World};
+use crate::{Command, Robot, Session, World};
 
 mod caution;
 mod course;
@@ -40,6 +40,14 @@ impl Driver {
     /// where something stands so that the person gives up.
     pub fn next_command(&mut self, world_from_robot: Pose) -> Option<Command> {
         self.course.next_command(&mut self.planner, world_from_robot)
+    }
+
+    /// Drives the robot of a session until the person has nothing more to say.
+    pub fn drive(&mut self, session: &mut Session) {
+        while let Some(command) = session.world_from_robot().and_then(|pose| self.next_command(pose)) {
+            session.command(command);
+            while session.advance() && !session.at_rest() {}
+        }
     }
 }
 

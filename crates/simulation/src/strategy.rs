@@ -21,6 +21,7 @@ const ORACLE: &str = "oracle";
 /// assert_ne!(patient, strategy);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "there is one a way home")]
 pub enum Strategy {
     /// The robot's own program, which knows what the robot knows.
     Robot(StrategySetup),

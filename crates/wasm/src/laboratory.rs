@@ -27,7 +27,7 @@ use crate::{
 /// The laboratory as the page knows it: a run, and views of it.
 #[wasm_bindgen]
 pub struct Laboratory {
-    run: Run,
+    pub(crate) run: Run,
     views: Views,
     shown: MemoryOptions,
     /// The stage of the latest step that is pointed out, and in which view.
@@ -296,7 +296,7 @@ impl Laboratory {
 }
 
 impl Laboratory {
-    fn of(run: Run) -> Self {
+    pub(crate) fn of(run: Run) -> Self {
         let mut views = Views::new();
         let shown = MemoryOptions::default();
         for view in all_views(&run) {

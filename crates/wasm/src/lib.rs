@@ -15,6 +15,7 @@ mod explaining;
 mod explanation;
 mod failure;
 mod homing;
+mod keeping;
 mod laboratory;
 mod landmarks;
 mod layers;
@@ -22,6 +23,7 @@ mod look;
 mod memories;
 mod opening;
 mod order;
+mod resumption;
 mod run;
 mod scenes;
 mod setup;
@@ -37,6 +39,7 @@ pub use landmarks::Landmark;
 pub use layers::{Colours, Layers};
 pub use look::Look;
 pub use order::Order;
+pub use resumption::{Kept, KnownBuilding};
 pub use setup::{Choices, Opening, Setup};
 pub use status::{
     Ending, Happened, Happening, HomingStatus, LastView, Lead, MemoryStatus, Offset, PlacementKind,

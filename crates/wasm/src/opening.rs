@@ -12,7 +12,7 @@ use crate::{
 };
 
 /// How a building is asked for that no file holds, here and on the command line.
-const GENERATED: &str = "generated:";
+pub(crate) const GENERATED: &str = "generated:";
 
 /// A run in one of the page's worlds, or in a building made from a seed.
 pub(crate) fn start(setup: &Setup) -> Result<Run, Failure> {
@@ -21,10 +21,12 @@ pub(crate) fn start(setup: &Setup) -> Result<Run, Failure> {
         None => world::read(&setup.world, &setup.file)?,
     };
     let (robot, mappers) = (robot(&setup.robot)?, mappers(&setup.mappers)?);
-    drive(world, robot, mappers, setup.seed, label(&setup.file, false))
+    let building = if setup.world.starts_with(GENERATED) { &setup.world } else { &setup.file };
+    drive(world, robot, mappers, setup.seed, page_label(building))
 }
 
-fn generated(seed: &str) -> Result<World, Failure> {
+/// An office floor made from the seed that stands in the text.
+pub(crate) fn generated(seed: &str) -> Result<World, Failure> {
     let unknown = |_| Failure::new(&format!("there is no building `{seed}`: a whole number makes one"));
     seed.parse().map(Building::generate).map_err(unknown)
 }
@@ -72,13 +74,18 @@ fn drive(
     seed: u64,
     label: Label,
 ) -> Result<Run, Failure> {
-    let route: Option<Vec<_>> =
-        world.routes.values().next().map(|route| route.iter().copied().map(DVec2::from).collect());
-    // A route that cannot be driven is no reason to keep the world from whoever wants to drive in it.
-    let driver = route.and_then(|route| Driver::new(&world, &robot, &route).ok());
+    let driver = driver(&world, &robot);
     let label = Label { name: world.name.clone(), ..label };
     let record = SessionRecord::new(Source::world(world, robot), mappers, seed);
     Ok(Run::new(Session::drive(record)?, label, driver))
+}
+
+/// The person at the controls, about to follow the world's first route. A route that cannot be driven is no
+/// reason to keep the world from whoever wants to drive in it.
+pub(crate) fn driver(world: &World, robot: &Robot) -> Option<Driver> {
+    let route = world.routes.values().next()?;
+    let route: Vec<_> = route.iter().copied().map(DVec2::from).collect();
+    Driver::new(world, robot, &route).ok()
 }
 
 fn map_log(opening: &Opening, bytes: &[u8]) -> Result<Run, Failure> {
@@ -94,8 +101,13 @@ fn map_log(opening: &Opening, bytes: &[u8]) -> Result<Run, Failure> {
 }
 
 fn replay(record: SessionRecord, bytes: &[u8], label: Label) -> Result<Run, Failure> {
-    let recording = carmen::read(bytes, &label.name, false)?.recording.varied(&record);
-    Ok(Run::new(Session::replay(record, recording), label, None))
+    Ok(Run::new(log_session(record, bytes, &label.name)?, label, None))
+}
+
+/// A log's session before its first reading. `name` is the log's, for messages.
+pub(crate) fn log_session(record: SessionRecord, bytes: &[u8], name: &str) -> Result<Session, Failure> {
+    let recording = carmen::read(bytes, name, false)?.recording.varied(&record);
+    Ok(Session::replay(record, recording))
 }
 
 fn reopen(written: &str, name: &str, other: Option<&[u8]>) -> Result<Run, Failure> {
@@ -116,7 +128,7 @@ fn reopen(written: &str, name: &str, other: Option<&[u8]>) -> Result<Run, Failur
     }
 }
 
-fn world_name(record: &SessionRecord) -> String {
+pub(crate) fn world_name(record: &SessionRecord) -> String {
     match &record.source {
         Source::World { world, .. } => world.name.clone(),
         Source::Log { path, .. } => path.clone(),
@@ -155,11 +167,24 @@ fn unknown(what: &str, name: &str, known: &[&str]) -> Failure {
     Failure::new(&format!("there is no {what} `{name}`, only {}", known.join(", ")))
 }
 
+/// What a run in one of the page's buildings is called.
+pub(crate) fn page_label(building: &str) -> Label {
+    let building = building.trim_end_matches(".world.json");
+    Label { building: Some(building.to_owned()), ..label(&building.replace(':', "-"), false) }
+}
+
 /// What a file's run is called: the file without folder and extensions.
-fn label(file: &str, foreign: bool) -> Label {
+pub(crate) fn label(file: &str, foreign: bool) -> Label {
     let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
     let stem = name.split('.').find(|part| !part.is_empty()).unwrap_or("run");
-    Label { name: name.to_owned(), stem: stem.to_owned(), foreign, settled: false }
+    Label {
+        name: name.to_owned(),
+        stem: stem.to_owned(),
+        foreign,
+        settled: false,
+        building: None,
+        warnings: Vec::new(),
+    }
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 use std::rc::Rc;
 
+use cogmap_formats::situation::{self, Situation};
 use cogmap_geometry::{DVec2, Pose};
 use cogmap_mapping::MapperSetup;
 use cogmap_simulation::{Command, Driver, Robot, Session, Source, Stamped, TICK};
@@ -11,6 +12,7 @@ use crate::{
     landmarks::{Landmark, Landmarks},
     memories::memories,
     order::{Order, step_to},
+    resumption::Resumption,
     status::{SourceKind, Status},
 };
 
@@ -28,6 +30,10 @@ pub(crate) struct Label {
     pub(crate) foreign: bool,
     /// Whether that file says with what it runs.
     pub(crate) settled: bool,
+    /// The name under which the page knows the building, if it does.
+    pub(crate) building: Option<String>,
+    /// What may make it differ from the recorded run.
+    pub(crate) warnings: Vec<String>,
 }
 
 /// A session, and whoever drives it: the route's driver, the record, or a person.
@@ -41,6 +47,8 @@ pub(crate) struct Run {
     told: bool,
     landmarks: Landmarks,
     courses: Courses,
+    /// What is still to be gone through again, where a run is taken up at a moment.
+    resumption: Option<Resumption>,
 }
 
 impl Run {
@@ -48,7 +56,42 @@ impl Run {
     pub(crate) fn new(session: Session, label: Label, driver: Option<Driver>) -> Self {
         let live = driver.is_some();
         let (landmarks, courses) = (Landmarks::default(), Courses::default());
-        Self { session, label, driver, live, told: false, landmarks, courses }
+        Self { session, label, driver, live, told: false, landmarks, courses, resumption: None }
+    }
+
+    /// A run that has to be gone through again, turn by turn with [`Run::resume`], before it can be taken up.
+    pub(crate) fn resuming(session: Session, label: Label, resumption: Resumption) -> Self {
+        Self { resumption: Some(resumption), ..Self::new(session, label, None) }
+    }
+
+    /// One more turn of what is to be gone through again. `false` once the run is where it was left.
+    pub(crate) fn resume(&mut self) -> bool {
+        let Some(mut resumption) = self.resumption.take() else { return false };
+        if resumption.turn(&mut self.session) {
+            self.resumption = Some(resumption);
+            return true;
+        }
+        let (position, end) = (self.session.position(), self.session.end());
+        self.live = resumption.live;
+        self.driver = resumption.driver;
+        let last = self.session.record().commands().last();
+        self.told = position == end && last.is_some_and(|last| last.tick == end);
+        false
+    }
+
+    /// The run at this moment, as [`Run::resuming`] takes it up again.
+    pub(crate) fn situation(&self) -> String {
+        let situation = Situation {
+            record: self.session.record().clone(),
+            at: self.session.position(),
+            live: self.live,
+            on_route: self.driver.is_some(),
+        };
+        situation::write(&situation, self.label.building.as_deref())
+    }
+
+    pub(crate) fn label(&self) -> &Label {
+        &self.label
     }
 
     pub(crate) fn session(&self) -> &Session {
@@ -96,6 +139,7 @@ impl Run {
     }
 
     pub(crate) fn jump(&mut self, position: u64) {
+        self.resumption = None;
         if position < self.session.position() {
             self.courses.go_back(&self.session, position);
         }

@@ -62,10 +62,7 @@ pub(super) fn go(name: &str, mapper: &str, seed: u64, strategy: Strategy) -> Tri
     let mut driver = Driver::new(&world, &robot, &route).unwrap();
     let mappers = vec![MapperSetup::named(mapper).unwrap()];
     let mut session = Session::drive(SessionRecord::new(Source::world(world, robot), mappers, seed)).unwrap();
-    while let Some(command) = driver.next_command(session.world_from_robot().unwrap()) {
-        session.command(command);
-        while session.advance() && !session.at_rest() {}
-    }
+    driver.drive(&mut session);
     session.command(Command::GoHome { strategy });
     let (mut moments, mut track) = (Vec::new(), Vec::new());
     loop {

@@ -42,9 +42,6 @@ fn driven(name: &str, file: &str) -> Session {
     let mapper = MapperSetup::named("consensus").unwrap();
     let mut session =
         Session::drive(SessionRecord::new(Source::world(world, robot), vec![mapper], 7)).unwrap();
-    while let Some(command) = session.world_from_robot().and_then(|pose| driver.next_command(pose)) {
-        session.command(command);
-        while session.advance() && !session.at_rest() {}
-    }
+    driver.drive(&mut session);
     session
 }

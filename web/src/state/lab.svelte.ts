@@ -1,10 +1,14 @@
-import { proxy, transfer, wrap, type Remote } from 'comlink';
+import { transfer, type Remote } from 'comlink';
+import type { Address } from '../keep/address';
+import { Keeping } from '../keep/keeping.svelte';
+import { Sharing } from '../keep/sharing.svelte';
 import { strings } from '../strings';
 import type { Bench } from '../worker/bench';
-import { GENERATED, type Choice, type Layers, type Notice, type Offer, type Pace, type Saved, type View } from '../worker/protocol';
+import { GENERATED, type Choice, type KeptSituation, type Layers, type Notice, type Offer, type Pace, type Saved, type View } from '../worker/protocol';
 import type { Landmark, Look, Order, Status } from '../wasm/cogmap_wasm';
 import { save } from './save';
 import { Why } from './why.svelte';
+import { isCrash, Workshop } from './workshop';
 
 /** Speeds to choose from. */
 export const PACES: Pace[] = [1, 2, 4, 8, 16, 32, 'full'];
@@ -72,28 +76,88 @@ export class Lab {
     toView: (by) => (by < 0 ? this.bench.previous() : this.bench.next()),
   });
 
-  private readonly bench: Remote<Bench>;
+  /** Counts the workers: each needs canvases of its own, which a page can hand over only once. */
+  generation = $state(0);
+  /** The files that were opened last. */
+  files: File[] = [];
+  readonly sharing = new Sharing(this);
+  readonly keeping: Keeping;
 
-  constructor() {
-    const worker = new Worker(new URL('../worker/index.ts', import.meta.url), { type: 'module' });
-    worker.addEventListener('error', (event) => (this.failure = event.message));
-    this.bench = wrap<Bench>(worker);
+  private workshop: Workshop;
+  private look: Look = 'light';
+
+  constructor(private readonly address: Address) {
+    this.keeping = new Keeping(this, !address.embed);
+    this.workshop = this.furnish();
   }
 
-  /** Begins the first run. */
+  private get bench(): Remote<Bench> {
+    return this.workshop.bench;
+  }
+
+  /** Begins the first run, and then what the address or an earlier visit has to offer. */
   async begin(): Promise<void> {
-    const listen = proxy((notice: Notice) => this.hear(notice));
     try {
-      const offer = await this.bench.begin(listen);
+      const offer = await this.load();
       const { robot, mapper, strategy, seed, layers } = offer.choices;
       const world = offer.worlds.find(({ file }) => file === OPENING_WORLD) ?? offer.worlds[0];
-      this.offer = offer;
+      const { asked, complaints } = this.address.choice(offer);
       this.layers = layers;
       this.strategy = strategy;
-      await this.start({ world: world?.file ?? '', robot, mappers: [mapper], seed }, OPENING_VIEWS);
+      await this.start({ world: world?.file ?? '', robot, mappers: [mapper], seed, ...asked }, OPENING_VIEWS);
+      this.offer = offer;
+      if (complaints.length > 0) this.refusal = complaints.join('\n');
     } catch (error) {
       this.failure = reason(error);
+      return;
     }
+    await this.sharing.openAddress();
+    await this.keeping.begin();
+  }
+
+  /** What a link to this moment holds. */
+  situation(): Promise<string> {
+    return this.bench.situation();
+  }
+
+  /** Takes a run up again where it was left; throws what speaks against it. */
+  async resume({ log, ...kept }: KeptSituation): Promise<void> {
+    const { choice, warnings } = await this.bench.resume(log ? { ...kept, log: await brought(log) } : kept);
+    if (log) this.files = [log];
+    this.choice = { ...this.choice, ...choice };
+    this.driven = this.status?.on_route !== true;
+    this.refusal = warnings.length > 0 ? warnings.join('\n') : undefined;
+  }
+
+  private furnish(): Workshop {
+    return new Workshop((reason) => void this.refurnish(reason));
+  }
+
+  private load(): Promise<Offer> {
+    return this.workshop.begin(
+      (notice) => this.hear(notice),
+      (moment) => this.keeping.keep(moment),
+    );
+  }
+
+  /** Puts another worker in the place of one that has ended. */
+  private async refurnish(cause: string): Promise<void> {
+    if (!this.offer) {
+      this.failure = cause;
+      return;
+    }
+    this.reading = undefined;
+    this.workshop = this.furnish();
+    this.generation += 1;
+    try {
+      await this.load();
+    } catch (error) {
+      this.failure = reason(error);
+      return;
+    }
+    this.setLook(this.look);
+    if (this.layers) this.show(this.layers);
+    await this.keeping.recover();
   }
 
   /** Begins a new run. */
@@ -158,14 +222,17 @@ export class Lab {
     this.refusal = undefined;
     this.reading = first.name;
     await this.ask(async () => {
-      const brought = await Promise.all(
-        files.slice(0, 2).map(async (file) => ({
-          name: file.name,
-          bytes: new Uint8Array(await file.arrayBuffer()),
-        })),
-      );
-      const buffers = brought.map(({ bytes }) => bytes.buffer);
-      await this.bench.open(transfer(brought, buffers), this.choice);
+      const opened = files.slice(0, 2);
+      const contents = await Promise.all(opened.map(brought));
+      const buffers = contents.map(({ bytes }) => bytes.buffer);
+      const before = this.files;
+      this.files = opened;
+      try {
+        await this.bench.open(transfer(contents, buffers), this.choice);
+      } catch (error) {
+        this.files = before;
+        throw error;
+      }
       this.driven = true;
     });
     this.reading = undefined;
@@ -226,6 +293,7 @@ export class Lab {
   }
 
   setLook(look: Look): void {
+    this.look = look;
     void this.bench.setLook(look);
   }
 
@@ -242,7 +310,8 @@ export class Lab {
       await work();
       this.refusal = undefined;
     } catch (error) {
-      this.refusal = strings.files.refused(reason(error));
+      if (isCrash(error)) this.workshop.end(reason(error));
+      else this.refusal = strings.files.refused(reason(error));
     }
   }
 
@@ -282,6 +351,10 @@ function byMoment(marks: Landmark[]): Landmark[][] {
     else moments.push([mark]);
   }
   return moments;
+}
+
+async function brought(file: File): Promise<{ name: string; bytes: Uint8Array<ArrayBuffer> }> {
+  return { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
 }
 
 function reason(error: unknown): string {

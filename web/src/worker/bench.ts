@@ -7,10 +7,14 @@ import init, {
   type StageKind,
   type Status,
 } from '../wasm/cogmap_wasm';
+import { building, chosen } from './choice';
 import { Clock } from './clock';
 import { Easel } from './easel';
-import { GENERATED, type Brought, type Choice, type Notice, type Offer, type Pace, type Saved, type View } from './protocol';
-import { worlds, type BundledWorld } from './worlds';
+import { Keeper } from './keeper';
+import { hold } from './lifeline';
+import type { Brought, Choice, Moment, Notice, Offer, Pace, Resumable, Resumed, Saved, View } from './protocol';
+import { asJson, momentOf } from './saving';
+import { worlds } from './worlds';
 
 /** How often the page is told what happens, milliseconds. */
 const NOTICE_INTERVAL = 40;
@@ -24,6 +28,9 @@ export class Bench {
   private brought: Brought[] = [];
   private readonly easel = new Easel();
   private readonly clock = new Clock((elapsed, now) => this.turn(elapsed, now));
+  private readonly keeper = new Keeper(() => (this.resuming ? undefined : this.laboratory && momentOf(this.laboratory)));
+  /** Set while a run is gone through again that was left somewhere: nobody is at the controls then. */
+  private resuming = false;
   private listen: (notice: Notice) => void = () => undefined;
   private noticed = 0;
   private playing = true;
@@ -36,10 +43,11 @@ export class Bench {
   /** The memory whose latest step is taken apart. */
   private explained: View | undefined;
 
-  /** Loads the engine. */
-  async begin(listen: (notice: Notice) => void): Promise<Offer> {
-    await init();
+  /** Loads the engine. `name` is held for as long as the worker lives; `keep` gets what is to be kept. */
+  async begin(name: string, listen: (notice: Notice) => void, keep: (moment: Moment) => void): Promise<Offer> {
+    await Promise.all([init(), hold(name)]);
     this.listen = listen;
+    this.keeper.begin(keep);
     const choices = Laboratory.choices();
     this.layers = choices.layers;
     return { choices, worlds: worlds.map(({ text: _, ...world }) => world) };
@@ -67,9 +75,27 @@ export class Bench {
     const { file, text } = building(choice);
     const laboratory = new Laboratory({ world: text, file: `${file}.world.json`, robot, mappers, seed });
     for (let view = 0; view < views; view += 1) laboratory.advance_to_next_view();
-    this.use(laboratory);
-    this.before?.free();
-    this.before = undefined;
+    this.replace(laboratory);
+    if (views === 0) this.keeper.touch();
+  }
+
+  /** Takes a run up again where it was left: all that happened until then happens once more, unseen. */
+  async resume({ name, situation, log }: Resumable): Promise<Resumed> {
+    const buildings = worlds.map(({ file, text }) => ({ file, text }));
+    const laboratory = Laboratory.resume({ name, situation, buildings }, log?.bytes);
+    const { building, warnings } = laboratory;
+    this.brought = log ? [log] : [];
+    this.replace(laboratory);
+    this.resuming = true;
+    await this.rush(() => laboratory.resume_turn());
+    this.resuming = false;
+    this.keeper.touch();
+    return { choice: chosen(building, laboratory.status()), warnings };
+  }
+
+  /** What a link to this moment holds. */
+  situation(): string {
+    return this.mounted().situation();
   }
 
   /** Opens what somebody brought; the run at hand stays if it cannot be read. */
@@ -86,6 +112,7 @@ export class Bench {
   /** Shows the same run to other mappers: a drive goes on where it is, a log is mapped again. */
   remap(mappers: string[]): void {
     this.mounted().remap(mappers);
+    this.keeper.touch();
     if (this.source === 'log') this.play(true);
     else this.refresh();
   }
@@ -101,19 +128,25 @@ export class Bench {
 
   /** Tells the robot what to do. */
   order(order: Order): void {
+    if (this.resuming) return;
     this.laboratory?.order(order);
+    this.keeper.touch();
     this.play(true);
   }
 
   /** Sends the robot to the place that is seen at a point of the view of the world. */
   reach(x: number, y: number): void {
-    if (this.laboratory?.reach(x, y)) this.play(true);
+    if (this.resuming || !this.laboratory?.reach(x, y)) return;
+    this.keeper.touch();
+    this.play(true);
   }
 
   /** Ends the playing of the route; from here on the robot waits for orders. */
   takeOver(): void {
+    if (this.resuming) return;
     this.hurry = undefined;
     this.laboratory?.take_over();
+    this.keeper.touch();
     this.refresh();
   }
 
@@ -165,21 +198,26 @@ export class Bench {
    * is wanted meanwhile ends it.
    */
   async finish(): Promise<Status> {
+    await this.rush(() => this.mounted().advance());
+    return this.mounted().status();
+  }
+
+  private async rush(turn: () => boolean): Promise<void> {
     this.play(false);
     const hurry = (this.hurry = Symbol('hurry'));
-    while (this.hurry === hurry && this.clock.rush(this.mounted())) {
+    while (this.hurry === hurry && this.clock.rush(turn)) {
       this.notify(performance.now());
       await new Promise((heard) => setTimeout(heard));
     }
     if (this.hurry === hurry) this.hurry = undefined;
     this.refresh();
-    return this.mounted().status();
   }
 
   /** Goes to any moment of the run. */
   jump(position: number): void {
     this.play(false);
     this.laboratory?.jump(position);
+    this.keeper.touch();
   }
 
   /** Runs what was brought from its beginning. */
@@ -228,20 +266,14 @@ export class Bench {
 
   /** The whole session as a file. */
   session(): Saved {
-    return this.json('session', (laboratory) => laboratory.save_session());
+    return asJson(this.mounted(), 'session', (laboratory) => laboratory.save_session());
   }
 
   /** The map of one of the mappers, counted from 0, as a file. */
   map(mapper: number): Saved {
     const { memories } = this.mounted().status();
     const kind = memories.length > 1 ? `map.${memories[mapper]?.mapper}` : 'map';
-    return this.json(kind, (laboratory) => laboratory.map_json(mapper));
-  }
-
-  private json(kind: string, write: (laboratory: Laboratory) => string): Saved {
-    const laboratory = this.mounted();
-    const blob = new Blob([write(laboratory)], { type: 'application/json' });
-    return { name: `${laboratory.status().stem}.${kind}.json`, blob };
+    return asJson(this.mounted(), kind, (laboratory) => laboratory.map_json(mapper));
   }
 
   private mounted(): Laboratory {
@@ -258,6 +290,14 @@ export class Bench {
     this.use(opened);
     if (left && !this.before) this.before = left;
     else left?.free();
+    this.keeper.touch();
+  }
+
+  /** Puts another run in the place of this one, for good. */
+  private replace(laboratory: Laboratory): void {
+    this.use(laboratory);
+    this.before?.free();
+    this.before = undefined;
   }
 
   private use(laboratory: Laboratory): void {
@@ -274,7 +314,10 @@ export class Bench {
     const laboratory = this.laboratory;
     if (!laboratory) return false;
     const moved = this.playing && this.clock.pass(laboratory, elapsed, this.paces[this.source]);
-    if (moved) this.easel.stale = true;
+    if (moved) {
+      this.easel.stale = true;
+      this.keeper.grow();
+    }
     const painted = this.easel.paint(laboratory, now);
     const ended = this.playing && !moved && laboratory.idle;
     if (ended && this.source === 'log') this.playing = false;
@@ -300,12 +343,4 @@ export class Bench {
     const marks = this.laboratory.landmarks();
     this.listen({ status, playing, pace: this.paces[status.source], marks, why });
   }
-}
-
-/** The building of a choice: one that comes with the page, or one that its number makes. */
-function building({ world, building }: Choice): Pick<BundledWorld, 'file' | 'text'> {
-  if (world === GENERATED) return { file: `${GENERATED}-${building}`, text: `${GENERATED}:${building}` };
-  const bundled = worlds.find(({ file }) => file === world);
-  if (!bundled) throw new Error(`There is no world called ${world}.`);
-  return bundled;
 }

@@ -29,6 +29,36 @@ export interface Brought {
   bytes: Uint8Array;
 }
 
+/** What is to be kept of a run at a moment. */
+export interface Moment {
+  situation: string;
+  /** What is driven through or mapped, for people. */
+  name: string;
+  /** Seconds of the run. */
+  time: number;
+  /** Whether it cannot be taken up again without the log that was brought. */
+  fromLog: boolean;
+}
+
+/** A run that is to be taken up again. */
+export interface KeptSituation {
+  /** Where it came from, for messages. */
+  name: string;
+  situation: string;
+  /** The log that it was made from. */
+  log?: File;
+}
+
+/** The same with the log's content. */
+export type Resumable = Omit<KeptSituation, 'log'> & { log?: Brought };
+
+/** What the page learns of a run that was taken up again. */
+export interface Resumed {
+  /** What of it the page could have chosen itself. */
+  choice: Partial<Choice>;
+  warnings: string[];
+}
+
 /** What the page learns while the laboratory works. */
 export interface Notice {
   status: Status;

@@ -120,6 +120,15 @@ impl Floor {
         self.spots.get(cell)
     }
 
+    /// Looks at the occupied cells within [`CROWD`] of a cell.
+    pub(super) fn look_around(&self, cell: Cell, mut look: impl FnMut(Cell, Spot)) {
+        self.spots.look_around(cell, CROWD, |at, spot| {
+            if spot.is_occupied() && at.distance_squared(cell) <= CROWD * CROWD {
+                look(at, *spot);
+            }
+        });
+    }
+
     /// The corners of what was travelled and seen, metres.
     pub(super) fn bounds(&self) -> Option<[DVec2; 2]> {
         self.bounds

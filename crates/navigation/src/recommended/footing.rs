@@ -1,7 +1,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    floor::{CROWD, Floor, Spot},
+    floor::{Floor, Spot},
     tiles::{CELL, Cell},
 };
 
@@ -10,7 +10,7 @@ use super::{
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Footing {
-    /// A metre of floor that was never seen.
+    /// A metre of floor that was never seen, for a robot that has not been disappointed yet.
     pub unknown: f64,
     /// Nothing leads the robot's middle nearer than this to what is believed to stand somewhere, metres: a little
     /// less than its radius, because what is seen from afar is seen a little beside its place.
@@ -38,7 +38,7 @@ pub struct Footing {
 impl Default for Footing {
     fn default() -> Self {
         Self {
-            unknown: 3.0,
+            unknown: 1.6,
             hard: 0.21,
             tight: 0.26,
             tight_cost: 3.0,
@@ -132,24 +132,14 @@ impl Ease<'_> {
     fn around(&self, cell: Cell) -> (f64, u8) {
         let (mut nearest, mut firmness) = (f64::INFINITY, 0);
         let middle = cell.middle();
-        for dy in -CROWD..=CROWD {
-            for dx in -CROWD..=CROWD {
-                if dx * dx + dy * dy > CROWD * CROWD {
-                    continue;
-                }
-                let at = cell.moved([dx, dy]);
-                let spot = self.floor.spot(at);
-                if !spot.is_occupied() {
-                    continue;
-                }
-                let distance = (at.middle() + spot.at()).distance_squared(middle);
-                if self.is_trusted(at, spot) {
-                    nearest = nearest.min(distance);
-                } else if self.trust == Trust::Memory && distance < self.footing.tight * self.footing.tight {
-                    firmness = firmness.max(spot.visits().saturating_add(1));
-                }
+        self.floor.look_around(cell, |at, spot| {
+            let distance = (at.middle() + spot.at()).distance_squared(middle);
+            if self.is_trusted(at, spot) {
+                nearest = nearest.min(distance);
+            } else if self.trust == Trust::Memory && distance < self.footing.tight * self.footing.tight {
+                firmness = firmness.max(spot.visits().saturating_add(1));
             }
-        }
+        });
         (nearest.sqrt(), firmness)
     }
 

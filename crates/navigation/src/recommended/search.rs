@@ -1,3 +1,5 @@
+mod along;
+
 use std::{cmp::Reverse, collections::BinaryHeap};
 
 use cogmap_geometry::DVec2;
@@ -20,8 +22,10 @@ const REACHED: f64 = 2.0;
 pub(super) const NEAR_HOME: f64 = 1.2;
 /// … each metre that is missing costing so much.
 const SHORT_OF_HOME: f64 = 60.0;
-/// No way is looked for beyond so many cells.
-const PATIENCE: usize = 30_000;
+/// No way is looked for beyond so many cells, where gaps are looked at …
+const PATIENCE: usize = 20_000;
+/// … and where they are not.
+const LONG_PATIENCE: usize = 35_000;
 /// How far around what was seen a way may lead, metres, …
 const MARGIN: f64 = 3.0;
 /// … and where all ways within that are closed.
@@ -46,6 +50,9 @@ pub(super) struct Search<'a> {
     /// What a metre costs at a cell, in tenths; 0: not asked yet.
     eases: Tiles<u16>,
     bounds: [Cell; 2],
+    open: BinaryHeap<Open>,
+    /// Nodes at the bounds, from where ways lead beyond.
+    beyond: Vec<Cell>,
     expanded: usize,
     /// Whether every cell near something that stands counts, so that no gap is stepped over.
     thorough: bool,
@@ -64,6 +71,15 @@ fn is_coarse(cell: Cell) -> bool {
     cell.x.rem_euclid(COARSE) == 0 && cell.y.rem_euclid(COARSE) == 0
 }
 
+/// What the step to a neighbour costs, in tenths a cell, by what a metre costs there and around; `None` as in
+/// [`Search::stretch`].
+fn to_neighbour(here: u16, around: &[u16; 8], way: usize) -> Option<u32> {
+    let beside = [around[(way + 7) % 8], around[(way + 1) % 8]];
+    let diagonal = way % 2 == 1;
+    let open = around[way] != NO_WAY && !(diagonal && beside.contains(&NO_WAY));
+    open.then(|| (u32::from(here) + u32::from(around[way])).div_ceil(2))
+}
+
 /// A node on the heap, or the end: what it costs and may still cost, and how it was reached.
 type Open = Reverse<(u32, u32, Cell, bool)>;
 
@@ -76,6 +92,8 @@ impl<'a> Search<'a> {
             nodes: Tiles::default(),
             eases: Tiles::default(),
             bounds: [ease.robot; 2],
+            open: BinaryHeap::new(),
+            beyond: Vec::new(),
             expanded: 0,
             thorough: false,
         }
@@ -83,16 +101,41 @@ impl<'a> Search<'a> {
 
     /// The cheapest way from where the robot is; `None` where there is none. A home that is closed in
     /// must not flood the world: the search keeps to what was seen and a margin. A `wide` search looks at narrow
-    /// gaps as well, and beyond the margin where all ways within it are closed.
+    /// gaps as well, and goes on beyond the margin where all ways within it are closed; where the building is too
+    /// large for that, it looks at wide gaps only.
     pub(super) fn way(&mut self, wide: bool) -> Option<Vec<Cell>> {
-        self.thorough = wide;
-        let near = self.way_within(MARGIN);
+        self.begin(wide);
+        let near = self.next_end();
         if !wide || near.as_ref().is_some_and(|way| self.leads_home(way)) {
             return near;
         }
+        let way = self.way_beyond(near);
+        if way.is_some() || !self.has_lost_patience() {
+            return way;
+        }
+        self.begin(false);
+        self.next_end()
+    }
+
+    fn way_beyond(&mut self, near: Option<Vec<Cell>>) -> Option<Vec<Cell>> {
+        self.bound(WIDE_MARGIN);
+        for cell in std::mem::take(&mut self.beyond) {
+            let cost = self.nodes.get(cell).cost;
+            self.open.push(Reverse((cost.saturating_add(self.ahead(cell)), cost, cell, false)));
+        }
+        self.next_end().or(near)
+    }
+
+    fn begin(&mut self, thorough: bool) {
+        self.thorough = thorough;
         self.nodes = Tiles::default();
+        self.open.clear();
+        self.beyond.clear();
         self.expanded = 0;
-        self.way_within(WIDE_MARGIN).or(near)
+        self.bound(MARGIN);
+        let start = self.ease.robot;
+        self.nodes.get_mut(start).cost = 1;
+        self.open.push(Reverse((self.ahead(start), 1, start, false)));
     }
 
     /// Whether a way ends at home and leads through no wall.
@@ -106,44 +149,61 @@ impl<'a> Search<'a> {
         })
     }
 
-    fn way_within(&mut self, margin: f64) -> Option<Vec<Cell>> {
+    /// Keeps the search to what was seen and a margin, metres.
+    fn bound(&mut self, margin: f64) {
         let robot = self.ease.robot.middle();
         let [low, high] = self.ease.floor.bounds().unwrap_or([robot; 2]);
         let low = low.min(robot).min(self.home) - margin;
         let high = high.max(robot).max(self.home) + margin;
         self.bounds = [Cell::at(low), Cell::at(high)];
-        let start = self.ease.robot;
-        let mut open: BinaryHeap<Open> = BinaryHeap::new();
-        self.nodes.get_mut(start).cost = 1;
-        open.push(Reverse((self.ahead(start), 1, start, false)));
-        while let Some(Reverse((_, cost, cell, end))) = open.pop() {
+    }
+
+    /// Searches on to the cheapest of all ends, which stays one of those that the search may end at.
+    fn next_end(&mut self) -> Option<Vec<Cell>> {
+        while let Some(next) = self.open.pop() {
+            let Reverse((_, cost, cell, end)) = next;
             if end {
+                self.open.push(next);
                 return Some(self.back_from(cell));
             }
             if self.nodes.get(cell).cost != cost {
                 continue;
             }
             self.expanded += 1;
-            if self.expanded > PATIENCE {
+            if self.has_lost_patience() {
                 return None;
             }
             if let Some(missing) = self.missing(cell) {
-                open.push(Reverse((cost.saturating_add(missing), cost, cell, true)));
+                self.open.push(Reverse((cost.saturating_add(missing), cost, cell, true)));
             }
-            self.expand(cell, cost, &mut open);
+            self.expand(cell, cost);
         }
         None
     }
 
-    fn expand(&mut self, cell: Cell, cost: u32, open: &mut BinaryHeap<Open>) {
+    fn has_lost_patience(&self) -> bool {
+        self.expanded > if self.thorough { PATIENCE } else { LONG_PATIENCE }
+    }
+
+    fn expand(&mut self, cell: Cell, cost: u32) {
         let fine = self.is_fine(cell);
         let step = if fine || !is_coarse(cell) { 1 } else { COARSE };
+        let here = self.ease(cell).min(NO_WAY - 1);
+        let around = WAYS.map(|to| self.ease(cell.moved(to)));
+        let mut at_bounds = false;
         for (way, [dx, dy]) in (0_u8..).zip(WAYS) {
             let to = cell.moved([dx * step, dy * step]);
-            if !self.is_within(to) || (!fine && !is_coarse(to)) {
+            if !self.is_within(to) {
+                at_bounds = true;
                 continue;
             }
-            let Some(ease) = self.stretch(cell, [dx, dy], step) else { continue };
+            if !fine && !is_coarse(to) {
+                continue;
+            }
+            let next = cell.moved([dx, dy]);
+            let first = to_neighbour(here, &around, usize::from(way));
+            let rest = first.and_then(|_| self.stretch(next, [dx, dy], step - 1));
+            let Some(ease) = first.zip(rest).map(|(first, rest)| first + rest) else { continue };
             let length = if dx != 0 && dy != 0 { 141 } else { 100 };
             let cost = cost.saturating_add(ease * length);
             let node = self.nodes.get_mut(to);
@@ -151,8 +211,11 @@ impl<'a> Search<'a> {
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 or 3")]
                 let step = step as u8;
                 *node = Node { cost, way, step };
-                open.push(Reverse((cost.saturating_add(self.ahead(to)), cost, to, false)));
+                self.open.push(Reverse((cost.saturating_add(self.ahead(to)), cost, to, false)));
             }
+        }
+        if at_bounds {
+            self.beyond.push(cell);
         }
     }
 
@@ -203,23 +266,6 @@ impl<'a> Search<'a> {
         ease
     }
 
-    /// What the way from a cell to home costs at least.
-    fn ahead(&self, cell: Cell) -> u32 {
-        let home = Cell::at(self.home);
-        let (dx, dy) = (cell.x.abs_diff(home.x), cell.y.abs_diff(home.y));
-        let straight = 1000 * dx.max(dy) + 410 * dx.min(dy);
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small constant")]
-        straight.saturating_sub((REACHED * 1410.0) as u32)
-    }
-
-    /// What it costs to end at a cell instead of at home; `None` where that is too far.
-    fn missing(&self, cell: Cell) -> Option<u32> {
-        let distance = cell.middle().distance(self.home);
-        let missing = (distance - REACHED * CELL).max(0.0);
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 600,000")]
-        (distance <= NEAR_HOME).then_some((missing * SHORT_OF_HOME * 10_000.0) as u32)
-    }
-
     /// The cells of the way that led to one, from the start.
     fn back_from(&self, end: Cell) -> Vec<Cell> {
         let mut cells = vec![end];
@@ -232,60 +278,6 @@ impl<'a> Search<'a> {
         }
         cells.reverse();
         cells
-    }
-
-    /// What the straight line between two points costs; `None` where it is not free.
-    pub(super) fn line(&mut self, from: DVec2, to: DVec2) -> Option<f64> {
-        let length = from.distance(to);
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "lengths are short")]
-        let pieces = ((length / (0.5 * CELL)).ceil() as u32).clamp(1, 100_000);
-        let mut sum = 0.0;
-        for k in 0..pieces {
-            let share = (f64::from(k) + 0.5) / f64::from(pieces);
-            let ease = self.ease(Cell::at(from.lerp(to, share)));
-            if ease == NO_WAY {
-                return None;
-            }
-            sum += f64::from(ease);
-        }
-        Some(0.1 * sum / f64::from(pieces) * length)
-    }
-
-    /// What a way costs from a point along its corners, what is missing to home included.
-    pub(super) fn cost(&mut self, from: DVec2, corners: &[DVec2]) -> Option<f64> {
-        let mut cost = 0.0;
-        let mut last = from;
-        for &corner in corners {
-            cost += self.line(last, corner)?;
-            last = corner;
-        }
-        let missing = (last.distance(self.home) - REACHED * CELL).max(0.0);
-        (missing <= NEAR_HOME).then_some(cost + missing * SHORT_OF_HOME)
-    }
-
-    /// Leaves out the points of a way that straight lines can do without at no more cost.
-    pub(super) fn pull_tight(&mut self, from: DVec2, points: &[DVec2]) -> Vec<DVec2> {
-        let mut corners = Vec::new();
-        let (mut at, mut next) = (from, 0);
-        while next < points.len() {
-            let mut along = self.line(at, points[next]).unwrap_or(f64::INFINITY);
-            let mut last = next;
-            for k in next + 1..points.len() {
-                along += self.line(points[k - 1], points[k]).unwrap_or(f64::INFINITY);
-                match self.line(at, points[k]) {
-                    Some(straight) if straight <= along + 0.02 => {
-                        last = k;
-                        along = straight;
-                    }
-                    Some(_) => {}
-                    None => break,
-                }
-            }
-            at = points[last];
-            corners.push(at);
-            next = last + 1;
-        }
-        corners
     }
 }
 

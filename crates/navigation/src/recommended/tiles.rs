@@ -19,10 +19,16 @@ pub(super) struct Cell {
 
 impl Cell {
     /// The cell that a point lies in.
-    #[allow(clippy::cast_possible_truncation, reason = "a float that is out of range saturates")]
     pub(super) fn at(point: DVec2) -> Self {
-        let [x, y] = [point.x, point.y].map(|along| ((along / CELL).floor() as i32).clamp(-FAR, FAR));
-        Self { x, y }
+        Self { x: Self::index(point.x), y: Self::index(point.y) }
+    }
+
+    /// Rounds down; the compiler's own way calls a function where the processor has no instruction for it.
+    #[allow(clippy::cast_possible_truncation, reason = "clamped")]
+    fn index(along: f64) -> i32 {
+        let along = (along / CELL).clamp(f64::from(-FAR), f64::from(FAR));
+        let toward_zero = along as i32;
+        toward_zero - i32::from(along < f64::from(toward_zero))
     }
 
     /// Its middle, metres.
@@ -57,6 +63,25 @@ impl<T: Copy + Default> Tiles<T> {
         match self.slot(tile).and_then(|slot| self.tiles[slot].as_ref()) {
             Some(tile) => tile[within],
             None => T::default(),
+        }
+    }
+
+    /// Looks at what is known of the cells of a square, `around` cells to each side of its middle.
+    pub(super) fn look_around(&self, middle: Cell, around: i32, mut look: impl FnMut(Cell, &T)) {
+        let (low, high) = (middle.moved([-around; 2]), middle.moved([around; 2]));
+        for row in low.y.div_euclid(SIDE)..=high.y.div_euclid(SIDE) {
+            for column in low.x.div_euclid(SIDE)..=high.x.div_euclid(SIDE) {
+                let Some(tile) = self.slot([column, row]).and_then(|slot| self.tiles[slot].as_ref()) else {
+                    continue;
+                };
+                let (left, bottom) = (column * SIDE, row * SIDE);
+                let (first, last) = (low.x.max(left), high.x.min(left + SIDE - 1));
+                for y in low.y.max(bottom)..=high.y.min(bottom + SIDE - 1) {
+                    let (_, from) = split(Cell { x: first, y });
+                    let (_, to) = split(Cell { x: last, y });
+                    (first..).zip(&tile[from..=to]).for_each(|(x, known)| look(Cell { x, y }, known));
+                }
+            }
         }
     }
 
@@ -129,9 +154,29 @@ mod tests {
         }
 
         #[test]
+        fn a_look_around_meets_what_was_written_and_nothing_else(
+            cells in prop::collection::btree_map((-40i32..40, -40i32..40), 1u32.., 1..40), x in -40i32..40, y in -40i32..40,
+        ) {
+            let mut tiles = Tiles::<u32>::default();
+            for (&(x, y), &value) in &cells {
+                *tiles.get_mut(Cell { x, y }) = value;
+            }
+            let mut met = std::collections::BTreeMap::new();
+            tiles.look_around(Cell { x, y }, 4, |at, &value| {
+                assert!(met.insert((at.x, at.y), value).is_none(), "no cell twice");
+            });
+            met.retain(|_, value| *value != 0);
+            let is_near = |at: &i32, of: i32| (at - of).abs() <= 4;
+            let near = cells.into_iter().filter(|((at_x, at_y), _)| is_near(at_x, x) && is_near(at_y, y));
+            prop_assert_eq!(met, near.collect());
+        }
+
+        #[test]
         fn the_middle_of_a_cell_lies_in_it(x in -3000i32..3000, y in -3000i32..3000) {
             let cell = Cell { x, y };
             prop_assert_eq!(Cell::at(cell.middle()), cell);
+            let corner = cell.middle() - 0.499 * CELL;
+            prop_assert_eq!(Cell::at(corner), cell);
         }
     }
 

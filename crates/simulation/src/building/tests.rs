@@ -66,10 +66,7 @@ fn the_person_at_the_controls_gets_a_bad_robot_out_without_touching_anything() {
         let mut driver = Driver::new(&world, &robot, &route).unwrap();
         let mut session =
             Session::drive(SessionRecord::new(Source::world(world, robot), Vec::new(), seed)).unwrap();
-        while let Some(command) = session.world_from_robot().and_then(|pose| driver.next_command(pose)) {
-            session.command(command);
-            while session.advance() && !session.at_rest() {}
-        }
+        driver.drive(&mut session);
         let end = session.world_from_robot().unwrap().position;
         assert!(end.distance(*route.last().unwrap()) < 0.5, "seed {seed}: gave up at {end}");
         let gap = crate::Obstacles::new(session.solids().unwrap()).nearest(end, BodyParams::default().radius);

@@ -36,7 +36,7 @@ const AXES: [Axis; 2] = [
 fn measure(ground: &Ground) -> (&'static str, &'static str) {
     match ground {
         Ground::Drive { .. } => ("shape", "shape error, m"),
-        Ground::Log(_) => ("relations", "mean error of relations, m"),
+        Ground::Log(_) => ("relations", "relations error, m"),
     }
 }
 

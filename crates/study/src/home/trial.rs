@@ -25,10 +25,7 @@ pub(super) fn way_out(episode: &Episode, robot: &Robot, seed: u64) -> Option<Ses
     let mut driver = Driver::new(&episode.world, robot, &episode.route).ok()?;
     let source = Source::world(episode.world.clone(), robot.clone());
     let mut session = Session::drive(SessionRecord::new(source, vec![mapper], seed)).ok()?;
-    while let Some(command) = session.world_from_robot().and_then(|pose| driver.next_command(pose)) {
-        session.command(command);
-        while session.advance() && !session.at_rest() {}
-    }
+    driver.drive(&mut session);
     let end = session.world_from_robot()?.position;
     let arrived = episode.route.last()?.distance(end) < ARRIVED;
     (arrived && collisions(&session) == 0).then_some(session)

@@ -103,7 +103,8 @@ impl<'a> Asked<'a> {
             "C3" => self.better_than_traditional(),
             "C4" => self.closes_loops(),
             "C5" | "C6" => {
-                vec![Check::figure("not tested: this version has no navigation", None, Bound::AtLeast(1.0))]
+                let elsewhere = "not run here: `cogmap study home` asks it of every strategy";
+                vec![Check::figure(elsewhere, None, Bound::AtLeast(1.0))]
             }
             "C7" => self.rarely_lost(),
             "C8" => self.recognition_is_the_problem(),

@@ -1,0 +1,139 @@
+import AxeBuilder from '@axe-core/playwright';
+import { expect, test, type Page } from '@playwright/test';
+import { BenchPage, roomLog } from './bench';
+
+/** Drives to the right for a moment and lets the robot come to rest. */
+async function drive(page: Page): Promise<void> {
+  await page.keyboard.down('ArrowRight');
+  await page.waitForTimeout(400);
+  await page.keyboard.up('ArrowRight');
+  await expect(page.getByRole('button', { name: 'Play' })).toBeDisabled();
+}
+
+const goOn = (page: Page) => page.getByRole('button', { name: 'Go on', exact: true });
+
+/** The commands of a saved session. */
+async function commands(bench: BenchPage): Promise<unknown> {
+  const session = JSON.parse((await bench.save('Session')).bytes.toString()) as { source: { commands: unknown } };
+  return session.source.commands;
+}
+
+test('after a reload the run is offered again, complete to the last command', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  await bench.takeOver();
+  await drive(page);
+  await page.getByRole('button', { name: 'Go Home' }).click();
+  await expect(bench.going).toBeVisible();
+  await page.keyboard.press('Space');
+  const told = await commands(bench);
+  expect(JSON.stringify(told)).toContain('go_home');
+  await page.reload();
+  await expect(page.getByText(/Go on where you were\? Office/)).toBeVisible();
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+  await goOn(page).click();
+  await expect(bench.going).toBeVisible();
+  await expect(goOn(page)).toBeHidden();
+  expect(await commands(bench)).toEqual(told);
+  await page.getByRole('button', { name: 'Play' }).click();
+  await page.getByLabel('Speed').selectOption('Max');
+  await expect(page.getByText(/Home: it stopped by itself/).first()).toBeVisible();
+});
+
+test('an offer that is dismissed does not come again, and an untouched page offers nothing', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  await page.waitForTimeout(2500);
+  await bench.open();
+  await page.waitForTimeout(500);
+  await expect(goOn(page)).toBeHidden();
+  await bench.takeOver();
+  await drive(page);
+  await bench.open();
+  await expect(goOn(page)).toBeVisible();
+  await page.getByRole('button', { name: 'Dismiss' }).click();
+  await expect(goOn(page)).toBeHidden();
+  await bench.open();
+  await page.waitForTimeout(500);
+  await expect(goOn(page)).toBeHidden();
+});
+
+test('a log is kept with its file', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  await bench.drop({ name: 'room.log', content: roomLog(20) });
+  const timeline = page.getByRole('slider', { name: 'Timeline' });
+  await expect(timeline).toHaveValue('20');
+  const map = (await bench.save('Map')).bytes;
+  await timeline.fill('20');
+  await page.waitForTimeout(500);
+  await bench.open();
+  await expect(page.getByText(/Go on where you were\? room\.log/)).toBeVisible();
+  await goOn(page).click();
+  await expect(timeline).toHaveValue('20');
+  expect((await bench.save('Map')).bytes.equals(map)).toBe(true);
+});
+
+const ends: [string, () => void][] = [
+  ['is ended without a word', () => self.close()],
+  ['traps', () => void setTimeout(() => { throw new WebAssembly.RuntimeError('unreachable'); })],
+];
+
+for (const [how, end] of ends) {
+  test(`when the worker ${how}, the run goes on in another one`, async ({ page }) => {
+    const bench = new BenchPage(page);
+    await bench.open();
+    await bench.takeOver();
+    await drive(page);
+    const told = await commands(bench);
+    const worker = page.workers().find((worker) => worker.url().startsWith('http'));
+    await worker?.evaluate(end).catch(() => undefined);
+    await expect(page.getByRole('alert')).toContainText('stopped unexpectedly');
+    await expect(page.getByRole('alert')).toContainText('taken up where it was');
+    expect(await commands(bench)).toEqual(told);
+    expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+    await page.keyboard.down('ArrowUp');
+    await expect.poll(() => commands(bench)).not.toEqual(told);
+    await page.keyboard.up('ArrowUp');
+  });
+}
+
+test('a worker that ends again at once is not given the same run again', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  await bench.takeOver();
+  for (const message of ['taken up where it was', 'and the run with it']) {
+    await page.workers().at(-1)?.evaluate(() => self.close()).catch(() => undefined);
+    await expect(page.getByRole('alert')).toContainText(message);
+  }
+  await expect.poll(() => bench.surfaces()).toBeGreaterThan(0);
+});
+
+const closed: [string, () => void][] = [
+  ['no database', () => Object.defineProperty(globalThis, 'indexedDB', { value: undefined })],
+  ['a database that refuses', () => {
+    indexedDB.open = () => {
+      throw new DOMException('denied', 'SecurityError');
+    };
+  }],
+  ['a full database', () => {
+    IDBObjectStore.prototype.put = () => {
+      throw new DOMException('full', 'QuotaExceededError');
+    };
+  }],
+  ['no locks', () => Object.defineProperty(Navigator.prototype, 'locks', { value: undefined })],
+];
+
+for (const [what, close] of closed) {
+  test(`a browser with ${what} can be used all the same`, async ({ page }) => {
+    const failures: string[] = [];
+    page.on('pageerror', (error) => failures.push(error.message));
+    await page.addInitScript(close);
+    const bench = new BenchPage(page);
+    await bench.open();
+    await bench.takeOver();
+    await drive(page);
+    await expect(page.getByRole('alert')).toBeEmpty();
+    expect(failures).toEqual([]);
+  });
+}

@@ -1,0 +1,70 @@
+import { strings } from '../strings';
+import type { Lab } from '../state/lab.svelte';
+import type { Moment } from '../worker/protocol';
+import { Shelf, type KeptRun } from './shelf';
+
+/** A worker that ends so soon after it was replaced, milliseconds, is ended by the run itself. */
+const SOON = 20_000;
+
+/** Sees to it that no run is lost: keeps it as it grows, offers it again, takes it up after a crash. */
+export class Keeping {
+  /** What is offered again. */
+  offer = $state.raw<KeptRun>();
+  /** The run at hand as it was kept last. */
+  private latest: KeptRun | undefined;
+  private recoveredAt = -Infinity;
+  private readonly shelf: Shelf | undefined;
+
+  /** `lasting`: whether the browser keeps the run beyond this visit. */
+  constructor(
+    private readonly lab: Lab,
+    lasting: boolean,
+  ) {
+    this.shelf = lasting ? new Shelf() : undefined;
+  }
+
+  /** Looks for a run that was left behind. */
+  async begin(): Promise<void> {
+    this.offer = await this.shelf?.putAside();
+  }
+
+  /** Keeps the run at hand. */
+  keep({ fromLog, ...moment }: Moment): void {
+    const log = fromLog ? this.lab.files.at(-1) : undefined;
+    const kept = { ...moment, when: Date.now() };
+    this.latest = log ? { ...kept, log } : kept;
+    void this.shelf?.keep(this.latest);
+  }
+
+  /** Goes on with the run that was left behind. */
+  takeUp = async (): Promise<void> => {
+    if (!this.offer) return;
+    const offered = this.offer;
+    this.offer = undefined;
+    try {
+      await this.lab.resume({ ...offered, name: strings.kept.name });
+      await this.shelf?.discard();
+    } catch (error) {
+      this.lab.refusal = strings.kept.refused(error instanceof Error ? error.message : String(error));
+    }
+  };
+
+  dismiss = (): void => {
+    this.offer = undefined;
+    void this.shelf?.discard();
+  };
+
+  /** After a crash: takes the run up again, unless it is the run that brings the worker down. */
+  async recover(): Promise<void> {
+    const again = performance.now() - this.recoveredAt < SOON;
+    this.recoveredAt = performance.now();
+    const run = again ? undefined : this.latest;
+    try {
+      if (run) await this.lab.resume({ ...run, name: strings.kept.name });
+      else await this.lab.start();
+      this.lab.refusal = run ? strings.kept.recovered : strings.kept.startedOver;
+    } catch (error) {
+      this.lab.refusal = strings.kept.refused(error instanceof Error ? error.message : String(error));
+    }
+  }
+}
