@@ -1,17 +1,16 @@
-use std::rc::Rc;
+mod deeds;
+mod keeping;
 
-use cogmap_formats::situation::{self, Situation};
-use cogmap_geometry::{DVec2, Pose};
+use cogmap_geometry::Pose;
 use cogmap_mapping::MapperSetup;
-use cogmap_simulation::{Command, Driver, Robot, Session, Source, Stamped, TICK};
+use cogmap_simulation::{Driver, Robot, Session, Source, Stamped, TICK};
 
 use crate::{
-    courses::{Branch, Course, Courses, Deed},
+    courses::Courses,
     failure::Failure,
     homing::homing,
     landmarks::{Landmark, Landmarks},
     memories::memories,
-    order::{Order, step_to},
     resumption::Resumption,
     status::{SourceKind, Status},
 };
@@ -57,37 +56,6 @@ impl Run {
         let live = driver.is_some();
         let (landmarks, courses) = (Landmarks::default(), Courses::default());
         Self { session, label, driver, live, told: false, landmarks, courses, resumption: None }
-    }
-
-    /// A run that has to be gone through again, turn by turn with [`Run::resume`], before it can be taken up.
-    pub(crate) fn resuming(session: Session, label: Label, resumption: Resumption) -> Self {
-        Self { resumption: Some(resumption), ..Self::new(session, label, None) }
-    }
-
-    /// One more turn of what is to be gone through again. `false` once the run is where it was left.
-    pub(crate) fn resume(&mut self) -> bool {
-        let Some(mut resumption) = self.resumption.take() else { return false };
-        if resumption.turn(&mut self.session) {
-            self.resumption = Some(resumption);
-            return true;
-        }
-        let (position, end) = (self.session.position(), self.session.end());
-        self.live = resumption.live;
-        self.driver = resumption.driver;
-        let last = self.session.record().commands().last();
-        self.told = position == end && last.is_some_and(|last| last.tick == end);
-        false
-    }
-
-    /// The run at this moment, as [`Run::resuming`] takes it up again.
-    pub(crate) fn situation(&self) -> String {
-        let situation = Situation {
-            record: self.session.record().clone(),
-            at: self.session.position(),
-            live: self.live,
-            on_route: self.driver.is_some(),
-        };
-        situation::write(&situation, self.label.building.as_deref())
     }
 
     pub(crate) fn label(&self) -> &Label {
@@ -140,11 +108,17 @@ impl Run {
 
     pub(crate) fn jump(&mut self, position: u64) {
         self.resumption = None;
+        self.go_to(position);
+        self.told = false;
+    }
+
+    /// Goes to a moment, having noted what the journal is about to forget.
+    fn go_to(&mut self, position: u64) {
         if position < self.session.position() {
+            self.note_landmarks();
             self.courses.go_back(&self.session, position);
         }
         self.session.jump(position.min(self.session.end()));
-        self.told = false;
     }
 
     /// Goes back to when the first mapper took the view before its latest.
@@ -158,10 +132,14 @@ impl Run {
 
     /// What the timeline marks, in order, as far as the run has ever come.
     pub(crate) fn landmarks(&mut self) -> Vec<Landmark> {
+        self.note_landmarks();
+        self.landmarks.all(&self.session)
+    }
+
+    fn note_landmarks(&mut self) {
         let mut landmarks = std::mem::take(&mut self.landmarks);
         landmarks.note(&self.session, |t| self.position_at(t));
         self.landmarks = landmarks;
-        self.landmarks.all(&self.session)
     }
 
     /// The position at which what happened at a time, in seconds, has just happened.
@@ -172,116 +150,12 @@ impl Run {
         }
     }
 
-    /// Ends the playing of the route: the robot finishes its step and waits.
-    pub(crate) fn take_over(&mut self) {
-        if self.driver.is_some() {
-            self.courses.leave(&self.session, self.course());
-        }
-        self.driver = None;
-    }
-
-    /// Tells the robot what to do; a log's robot cannot be told anything.
-    pub(crate) fn order(&mut self, order: Order) -> Result<(), Failure> {
-        if let Some(robot) = self.robot() {
-            self.tell(order.command(&robot.body)?);
-        }
-        Ok(())
-    }
-
     /// The robot that is driven; a log's robot is not known.
     fn robot(&self) -> Option<&Robot> {
         match &self.session.record().source {
             Source::World { robot, .. } => Some(robot),
             Source::Log { .. } => None,
         }
-    }
-
-    /// Sends the robot straight to a point of the world; `false` if it cannot be sent there.
-    pub(crate) fn reach(&mut self, point: DVec2) -> bool {
-        let step = self.session.world_from_robot().and_then(|pose| step_to(point, pose));
-        step.map(|step| self.tell(step)).is_some()
-    }
-
-    fn tell(&mut self, command: Command) {
-        if self.session.refusal(&command).is_none() && !self.steers_on() {
-            self.courses.leave(&self.session, self.course());
-        }
-        self.driver = None;
-        self.live = true;
-        self.told = true;
-        self.session.command(command);
-        self.landmarks.forget_after(self.session.position());
-    }
-
-    /// Whether a person is steering right now: what is told then belongs to the same deed.
-    fn steers_on(&self) -> bool {
-        let last = self.session.record().commands().last().map(|timed| &timed.command);
-        let moves =
-            matches!(last, Some(Command::Drive { linear, angular }) if *linear != 0.0 || *angular != 0.0);
-        moves && self.driver.is_none() && self.session.position() >= self.session.end()
-    }
-
-    fn course(&self) -> Course {
-        let (source, position) = (self.session.record().source.clone().into(), self.session.position());
-        Course { source, driver: self.driver.clone().map(Rc::new), live: self.live, position }
-    }
-
-    /// Takes back the last thing that a person told the robot; `false` if there is none.
-    pub(crate) fn undo(&mut self) -> bool {
-        let Some(deed) = self.courses.undo.pop() else { return false };
-        let undone = self.deed();
-        self.go_over_to(deed);
-        self.courses.redo.push(undone);
-        true
-    }
-
-    /// Does again what was undone; `false` if there is nothing.
-    pub(crate) fn redo(&mut self) -> bool {
-        let Some(deed) = self.courses.redo.pop() else { return false };
-        let done = self.deed();
-        self.go_over_to(deed);
-        self.courses.undo.push(done);
-        true
-    }
-
-    fn deed(&self) -> Deed {
-        Deed { course: self.course(), branches: self.courses.branches.clone() }
-    }
-
-    /// Goes over to the future that was left longest ago, and keeps this one in its place.
-    pub(crate) fn switch_branch(&mut self) {
-        if self.courses.branches.is_empty() {
-            return;
-        }
-        let here = self.session.position();
-        let left = self.deed();
-        let branch = self.courses.branches.remove(0);
-        let mut branches = std::mem::take(&mut self.courses.branches);
-        let parting = self.session.record().source.parts_from(&branch.course.source).unwrap_or(0);
-        branches.push(Branch {
-            course: left.course.clone(),
-            way: self.courses.way(&self.session, parting).into(),
-        });
-        self.courses.undo.push(left);
-        self.courses.redo.clear();
-        let course = Course { position: here, ..branch.course };
-        self.go_over_to(Deed { course, branches });
-    }
-
-    fn go_over_to(&mut self, Deed { course, branches }: Deed) {
-        let parting = self.session.record().source.parts_from(&course.source).unwrap_or(0);
-        if self.session.go_over_to(&course.source) {
-            self.landmarks.forget_after(parting);
-            self.courses.go_over();
-            (self.live, self.courses.branches) = (course.live, branches);
-            self.driver = course.driver.map(Rc::unwrap_or_clone);
-            self.jump(course.position);
-        }
-    }
-
-    /// Where the robot went in the futures that were left, in the world, metres.
-    pub(crate) fn left_ways(&self) -> impl Iterator<Item = &[DVec2]> {
-        self.courses.branches.iter().map(|branch| &*branch.way)
     }
 
     fn views(&self) -> usize {

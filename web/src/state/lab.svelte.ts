@@ -157,6 +157,7 @@ export class Lab {
     }
     this.setLook(this.look);
     if (this.layers) this.show(this.layers);
+    this.why.close();
     await this.keeping.recover();
   }
 

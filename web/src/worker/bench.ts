@@ -169,21 +169,26 @@ export class Bench {
 
   /** Takes back what a person did last, or does it again. */
   undo(again: boolean): void {
+    if (this.resuming) return;
     this.play(false);
     if (again) this.laboratory?.redo();
     else this.laboratory?.undo();
+    this.keeper.touch();
   }
 
   /** Goes over to another future that was left. */
   switchBranch(): void {
+    if (this.resuming) return;
     this.play(false);
     this.laboratory?.switch_branch();
+    this.keeper.touch();
   }
 
   /** Goes back to when the view before the latest was taken. */
   previous(): void {
     this.play(false);
     this.laboratory?.back_to_previous_view();
+    this.keeper.touch();
   }
 
   /** Takes the latest step of a memory apart and points one of its stages out; without a memory, no longer. */
