@@ -4,17 +4,16 @@ import { Keeping } from '../keep/keeping.svelte';
 import { Sharing } from '../keep/sharing.svelte';
 import { strings } from '../strings';
 import type { Bench } from '../worker/bench';
-import { GENERATED, type Choice, type KeptSituation, type Layers, type Notice, type Offer, type Pace, type Saved, type View } from '../worker/protocol';
-import type { Landmark, Look, Order, Status } from '../wasm/cogmap_wasm';
+import { GENERATED, type Choice, type KeptSituation, type Notice, type Offer, type Pace, type Saved, type View } from '../worker/protocol';
+import type { Order, Status } from '../wasm/cogmap_wasm';
 import { save } from './save';
+import { Showing } from './showing.svelte';
+import { Timeline } from './timeline.svelte';
 import { Why } from './why.svelte';
 import { isCrash, Workshop } from './workshop';
 
 /** Speeds to choose from. */
 export const PACES: Pace[] = [1, 2, 4, 8, 16, 32, 'full'];
-
-/** What surfaces can be coloured by. */
-export const COLOURS: Layers['colours'][] = ['view', 'asr', 'age'];
 
 /** The building that the page opens on. */
 const OPENING_WORLD = 'office';
@@ -28,14 +27,8 @@ export class Lab {
   /** How the robot finds the way when it is told to go home. */
   strategy = $state('');
   status = $state.raw<Status>();
-  /** What the timeline marks, moment by moment. */
-  marks = $state.raw<Landmark[][]>([]);
   playing = $state(false);
   pace = $state<Pace>(2);
-  /** What is shown of the memories. */
-  layers = $state.raw<Layers>();
-  /** Whether the world is shown beside the memories. */
-  world = $state(true);
   /** Whether somebody has driven yet: the invitation to do so has done its work. */
   driven = $state(false);
   /** Name of the file being read. */
@@ -44,6 +37,11 @@ export class Lab {
   refusal = $state<string>();
   /** Why there is no laboratory at all. */
   failure = $state<string>();
+
+  /** How the views show what there is. */
+  readonly showing = new Showing(() => this.bench);
+  /** What the timeline marks. */
+  readonly timeline = new Timeline();
 
   /** Whether the run moves by itself at this moment. */
   readonly running = $derived(this.playing && this.status !== undefined && !this.status.idle);
@@ -66,7 +64,7 @@ export class Lab {
   readonly mappers = $derived(this.status?.memories.map(({ mapper }) => mapper) ?? []);
   /** The views on the page; at first the memory, until it is known how many there are. */
   readonly views = $derived<View[]>([
-    ...(this.world ? (['world'] as const) : []),
+    ...(this.showing.world ? (['world'] as const) : []),
     ...(this.status?.memories.map(({ view }) => view) ?? (['first'] as const)),
   ]);
 
@@ -84,11 +82,10 @@ export class Lab {
   readonly keeping: Keeping;
 
   private workshop: Workshop;
-  private look: Look = 'light';
 
   constructor(private readonly address: Address) {
     this.keeping = new Keeping(this, !address.embed);
-    this.workshop = this.furnish();
+    this.workshop = new Workshop(this.refurnish);
   }
 
   private get bench(): Remote<Bench> {
@@ -102,7 +99,7 @@ export class Lab {
       const { robot, mapper, strategy, seed, layers } = offer.choices;
       const world = offer.worlds.find(({ file }) => file === OPENING_WORLD) ?? offer.worlds[0];
       const { asked, complaints } = this.address.choice(offer);
-      this.layers = layers;
+      this.showing.layers = layers;
       this.strategy = strategy;
       await this.start({ world: world?.file ?? '', robot, mappers: [mapper], seed, ...asked }, OPENING_VIEWS);
       this.offer = offer;
@@ -129,10 +126,6 @@ export class Lab {
     this.refusal = warnings.length > 0 ? warnings.join('\n') : undefined;
   }
 
-  private furnish(): Workshop {
-    return new Workshop((reason) => void this.refurnish(reason));
-  }
-
   private load(): Promise<Offer> {
     return this.workshop.begin(
       (notice) => this.hear(notice),
@@ -141,13 +134,13 @@ export class Lab {
   }
 
   /** Puts another worker in the place of one that has ended. */
-  private async refurnish(cause: string): Promise<void> {
+  private readonly refurnish = async (cause: string): Promise<void> => {
     if (!this.offer) {
       this.failure = cause;
       return;
     }
     this.reading = undefined;
-    this.workshop = this.furnish();
+    this.workshop = new Workshop(this.refurnish);
     this.generation += 1;
     try {
       await this.load();
@@ -155,26 +148,15 @@ export class Lab {
       this.failure = reason(error);
       return;
     }
-    this.setLook(this.look);
-    if (this.layers) this.show(this.layers);
+    this.showing.renew();
     this.why.close();
     await this.keeping.recover();
-  }
+  };
 
   /** Begins a new run. */
   async start(change: Partial<Choice> = {}, views = 0): Promise<void> {
     this.choice = { ...this.choice, ...change };
     await this.ask(() => this.bench.start(this.choice, views));
-  }
-
-  /** Hands the canvas of a view to the worker. */
-  mount(view: View, canvas: HTMLCanvasElement): void {
-    const handed = canvas.transferControlToOffscreen();
-    void this.bench.mount(view, transfer(handed, [handed]));
-  }
-
-  unmount(view: View): void {
-    void this.bench.unmount(view);
   }
 
   /** Shows another mapper's memory of the same run, or takes it away; one always stays. */
@@ -184,23 +166,6 @@ export class Lab {
     if (mappers.length === 0) return;
     this.choice = { ...this.choice, mappers };
     void this.ask(() => this.bench.remap(mappers));
-  }
-
-  toggleWorld = (): void => {
-    this.world = !this.world;
-  };
-
-  /** Shows more or less of the memories. */
-  show(change: Partial<Layers>): void {
-    if (!this.layers) return;
-    this.layers = { ...this.layers, ...change };
-    void this.bench.show(this.layers);
-  }
-
-  /** Colours the surfaces by the next thing that there is to colour them by. */
-  nextColours(): void {
-    const next = COLOURS.indexOf(this.layers?.colours ?? 'view') + 1;
-    this.show({ colours: COLOURS[next % COLOURS.length] ?? 'view' });
   }
 
   /** Runs the same world or file with another set-up. */
@@ -271,8 +236,12 @@ export class Lab {
   undo = (): void => void this.bench.undo(false);
   redo = (): void => void this.bench.undo(true);
   switchBranch = (): void => void this.bench.switchBranch();
-  drag = (x: number, y: number): void => void this.bench.drag(x, y);
-  fit = (): void => void this.bench.fit();
+
+  /** Goes to the next mark of the timeline, or back to the one before. */
+  toMark(by: -1 | 1): void {
+    const to = this.timeline.mark(by, this.status?.position ?? 0);
+    if (to !== undefined) this.jump(to);
+  }
 
   setPace(pace: Pace): void {
     this.pace = pace;
@@ -283,19 +252,6 @@ export class Lab {
   shiftPace(by: 1 | -1): void {
     const pace = PACES[PACES.indexOf(this.pace) + by];
     if (pace !== undefined) this.setPace(pace);
-  }
-
-  zoom(factor: number, view?: View, x?: number, y?: number): void {
-    void this.bench.zoom(factor, view, x, y);
-  }
-
-  resize(view: View, width: number, height: number, density: number): void {
-    void this.bench.resize(view, width, height, density);
-  }
-
-  setLook(look: Look): void {
-    this.look = look;
-    void this.bench.setLook(look);
   }
 
   savePicture = (): Promise<void> => this.keep(() => this.bench.picture());
@@ -323,35 +279,14 @@ export class Lab {
     this.why.open(view);
   }
 
-  /** Goes to the next mark of the timeline, or back to the one before. */
-  toMark(by: -1 | 1): void {
-    const here = this.status?.position ?? 0;
-    const moments = this.marks.map(([mark]) => mark?.position ?? 0);
-    const to = by > 0 ? moments.find((position) => position > here) : moments.findLast((position) => position < here);
-    if (to !== undefined) this.jump(to);
-  }
-
   private hear({ status, playing, pace, marks, why }: Notice): void {
-    if (marks.length !== this.marks.flat().length || marks.at(-1)?.position !== this.marks.at(-1)?.[0]?.position) {
-      this.marks = byMoment(marks);
-    }
+    this.timeline.hear(marks);
     this.status = status;
     if (this.why.view && !status.memories.some(({ view }) => view === this.why.view)) this.why.close();
     this.why.hear(why);
     this.playing = playing;
     this.pace = pace;
   }
-}
-
-/** What happened at the same moment together. */
-function byMoment(marks: Landmark[]): Landmark[][] {
-  const moments: Landmark[][] = [];
-  for (const mark of marks) {
-    const last = moments.at(-1);
-    if (last?.[0]?.position === mark.position) last.push(mark);
-    else moments.push([mark]);
-  }
-  return moments;
 }
 
 async function brought(file: File): Promise<{ name: string; bytes: Uint8Array<ArrayBuffer> }> {
