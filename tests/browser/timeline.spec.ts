@@ -41,6 +41,6 @@ test('arrows walk along the events, and keys jump from one to the next', async (
 
 test('going home is marked', async ({ page }) => {
   await driveRoute(page);
-  await page.getByRole('button', { name: 'Go Home' }).click();
+  await page.getByRole('button', { name: 'Go Home', exact: true }).click();
   await expect(page.getByRole('button', { name: /: .*Told to go home/ })).toBeVisible();
 });

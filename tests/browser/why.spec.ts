@@ -94,7 +94,7 @@ test('on the way home the options are weighed and one is chosen', async ({ page 
   await page.getByRole('button', { name: 'recommended' }).click();
   await page.getByRole('button', { name: /^faithful/ }).click();
   await page.getByLabel('Speed').selectOption('2×');
-  await page.getByRole('button', { name: 'Go Home' }).click();
+  await page.getByRole('button', { name: 'Go Home', exact: true }).click();
   await expect(page.getByText(/^By its sense of direction: /).first()).toBeVisible();
   await page.getByRole('button', { name: 'Why?' }).first().click();
   await panel(page).getByRole('button', { name: 'Choice' }).click();
