@@ -15,7 +15,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
       await expect(page.getByRole('alert')).toBeEmpty();
       await page.getByRole('button', { name: 'Pause' }).click();
       await expect(page.getByRole('button', { name: 'Play' })).toBeVisible();
-      await page.getByRole('button', { name: 'Go Home' }).click();
+      await page.getByRole('button', { name: 'Go Home', exact: true }).click();
       await expect(bench.going).toBeVisible();
       expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
       const over = await page.evaluate(() => [

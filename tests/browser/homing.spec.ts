@@ -22,7 +22,7 @@ async function driveOut(bench: BenchPage): Promise<void> {
 async function goHome(bench: BenchPage): Promise<void> {
   await driveOut(bench);
   await bench.page.getByLabel('Speed').selectOption('2×');
-  await bench.page.getByRole('button', { name: 'Go Home' }).click();
+  await bench.page.getByRole('button', { name: 'Go Home', exact: true }).click();
   await expect(bench.going).toBeVisible();
 }
 
@@ -43,7 +43,7 @@ test('a robot that is told to go home goes there, says why, and how it ended', a
   expect(believed).toBeLessThanOrEqual(0.35);
   expect(off).toBeLessThan(1);
   await expect(page.getByRole('status', { name: 'What happened' })).toContainText(HOME);
-  await expect(page.getByRole('button', { name: 'Go Home' })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Go Home', exact: true })).toBeVisible();
 });
 
 test('the way home is the same on the command line', async ({ page }) => {
@@ -73,7 +73,7 @@ test('it can be stopped on its way, driven elsewhere, and sent home again', asyn
   await page.getByRole('button', { name: 'Turn left' }).focus();
   await page.keyboard.press('Enter');
   await expect(page.getByText(/You took over/)).toHaveCount(0);
-  await page.getByRole('button', { name: 'Go Home' }).click();
+  await page.getByRole('button', { name: 'Go Home', exact: true }).click();
   expect((await untilHome(bench)).off).toBeLessThan(1);
 });
 
@@ -85,7 +85,7 @@ test('the thesis’s way home shows its options, and the plans can be hidden', a
   await expect(page.getByRole('button', { name: /^recommended Ours/ })).toHaveAttribute('aria-current', 'true');
   await page.getByRole('button', { name: /^faithful The thesis to the letter/ }).click();
   await expect(page.getByRole('button', { name: 'faithful' })).toBeFocused();
-  await page.getByRole('button', { name: 'Go Home' }).click();
+  await page.getByRole('button', { name: 'Go Home', exact: true }).click();
   await expect(page.getByText(/^By its sense of direction: /).first()).toBeVisible();
   await page.getByRole('button', { name: 'Pause' }).click();
   await expect(page.getByRole('button', { name: 'Play' })).toBeEnabled();
@@ -107,7 +107,7 @@ test('from load to home by keyboard alone', async ({ page }) => {
   await expect(bench.going).toBeVisible();
   await page.keyboard.press('x');
   await expect(page.getByText(/You took over/).first()).toBeVisible();
-  const button = page.getByRole('button', { name: 'Go Home' });
+  const button = page.getByRole('button', { name: 'Go Home', exact: true });
   for (let presses = 0; presses < 60; presses += 1) {
     if (await button.evaluate((node) => node === document.activeElement)) break;
     await page.keyboard.press('Tab');
@@ -132,7 +132,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
       await expect(page.getByRole('button', { name: /^oracle/ })).toBeVisible();
       expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
       await page.keyboard.press('Escape');
-      await page.getByRole('button', { name: 'Go Home' }).click();
+      await page.getByRole('button', { name: 'Go Home', exact: true }).click();
       await expect(page.getByText(/^By a plan: /).first()).toBeVisible();
       expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
       await untilHome(bench);

@@ -23,7 +23,7 @@ test('after a reload the run is offered again, complete to the last command', as
   await bench.open();
   await bench.takeOver();
   await drive(page);
-  await page.getByRole('button', { name: 'Go Home' }).click();
+  await page.getByRole('button', { name: 'Go Home', exact: true }).click();
   await expect(bench.going).toBeVisible();
   await page.keyboard.press('Space');
   const told = await commands(bench);

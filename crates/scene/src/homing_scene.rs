@@ -91,16 +91,19 @@ pub(crate) fn believed_home(mind: &Mapper) -> Option<DVec2> {
     Some((mind.mfis().map_from_frame(atlas.here()) * here_from_home).position)
 }
 
-/// What the robot decided last, for as long as it stands by it.
-pub(crate) fn draw_decision(scene: &mut Scene, session: &Session, mapper: usize, mind: &Mapper) {
-    let Some(decision) = session.journal().decisions.last().filter(|_| leads(session, mapper)) else {
-        return;
-    };
+/// What the robot decided last, for as long as it stands by it, if the belief of this mapper leads it.
+#[must_use]
+pub fn decision_in_force(session: &Session, mapper: usize) -> Option<&Decision> {
+    let decision = session.journal().decisions.last().filter(|_| leads(session, mapper))?;
     let stands = match session.homing() {
         Some(pilot) => pilot.decisions() > 0,
-        None => decision.step + 1 >= mind.path().len(),
+        None => decision.step + 1 >= session.mappers().get(mapper)?.path().len(),
     };
-    if stands {
+    stands.then_some(decision)
+}
+
+pub(crate) fn draw_decision(scene: &mut Scene, session: &Session, mapper: usize, mind: &Mapper) {
+    if let Some(decision) = decision_in_force(session, mapper) {
         let begun = scene.changing.len();
         draw_options(scene, decision);
         draw_way(scene, decision);

@@ -135,7 +135,7 @@ fn swing(door: &Door) -> Vec<DVec2> {
 }
 
 /// The area that a scan found free, and the points that it hit.
-fn laser(scan: &Scan, frame_from_robot: Pose) -> [Item; 2] {
+pub(crate) fn laser(scan: &Scan, frame_from_robot: Pose) -> [Item; 2] {
     let frame_from_laser = frame_from_robot * scan.robot_from_laser;
     let carried = |points: Vec<DVec2>| points.into_iter().map(|point| frame_from_laser * point).collect();
     let hits = (0..scan.ranges.len()).filter_map(|beam| scan.point(beam)).collect();

@@ -22,6 +22,7 @@ pub use shortest::shortest_way;
 /// A leg of at most 2 m whose straight line is free becomes exactly one step; other legs are split,
 /// or led around what is in the way. Each step starts from where the robot truly is, and keeps 5 cm
 /// from everything even if the robot's wheels err as much as they are known to.
+#[derive(Clone)]
 pub struct Driver {
     planner: Planner,
     course: Course,

@@ -5,6 +5,7 @@ mod drive;
 mod feed;
 mod journal;
 mod oracle;
+mod otherwise;
 mod people;
 mod pilot;
 mod record;

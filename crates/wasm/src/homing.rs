@@ -50,7 +50,7 @@ fn ending(session: &Session) -> Option<Ending> {
     })
 }
 
-fn lead(mode: Mode) -> Lead {
+pub(crate) fn lead(mode: Mode) -> Lead {
     match mode {
         Mode::Direction => Lead::Direction,
         Mode::Route => Lead::Route,

@@ -1,17 +1,17 @@
+mod looking;
+
 use std::collections::BTreeMap;
 
 use cogmap_formats::{run::map, session};
 use cogmap_geometry::DVec2;
-use cogmap_scene::{MemoryOptions, Sheet};
+use cogmap_scene::MemoryOptions;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::{JsError, prelude::wasm_bindgen};
-use web_sys::OffscreenCanvasRenderingContext2d;
 
 use crate::{
-    canvas::{Canvas, Place},
-    failure::Failure,
-    layers::Layers,
-    look::Look,
+    canvas::Canvas,
+    explanation::StageKind,
+    landmarks::Landmark,
     opening,
     order::Order,
     run::Run,
@@ -27,6 +27,8 @@ pub struct Laboratory {
     pub(crate) run: Run,
     views: Views,
     shown: MemoryOptions,
+    /// The stage of the latest step that is pointed out, and in which view.
+    pointed: Option<(View, StageKind)>,
     canvases: BTreeMap<View, Canvas>,
 }
 
@@ -71,6 +73,11 @@ impl Laboratory {
         self.run.advance_to_next_view();
     }
 
+    /// Goes back to when the view before the latest was taken.
+    pub fn back_to_previous_view(&mut self) {
+        self.run.back_to_previous_view();
+    }
+
     /// Goes to any moment of the run, in ticks or readings.
     pub fn jump(&mut self, position: f64) {
         self.run.jump(position as u64);
@@ -96,12 +103,35 @@ impl Laboratory {
         Ok(self.run.status().into_ts()?)
     }
 
+    /// What the timeline marks, in order, as far as the run has ever come.
+    ///
+    /// # Errors
+    /// None that a page could cause.
+    pub fn landmarks(&mut self) -> Result<Vec<Ts<Landmark>>, JsError> {
+        Ok(self.run.landmarks().iter().map(Tsify::into_ts).collect::<Result<_, _>>()?)
+    }
+
     /// Tells the robot what to do.
     ///
     /// # Errors
     /// What is no order, or no strategy.
     pub fn order(&mut self, order: &Ts<Order>) -> Result<(), JsError> {
         Ok(self.run.order(order.to_rust()?)?)
+    }
+
+    /// Takes back the last thing that a person told the robot; `false` if there is none.
+    pub fn undo(&mut self) -> bool {
+        self.run.undo()
+    }
+
+    /// Does again what was undone; `false` if there is nothing.
+    pub fn redo(&mut self) -> bool {
+        self.run.redo()
+    }
+
+    /// Goes over to another future that was left, at the same moment if it lasts so long.
+    pub fn switch_branch(&mut self) {
+        self.run.switch_branch();
     }
 
     /// Ends the playing of the route: the robot finishes its step and waits for orders.
@@ -114,26 +144,6 @@ impl Laboratory {
         self.run.reach(self.views.to_metres(View::World, DVec2::new(x, y)))
     }
 
-    /// Tells how large a view is, in pixels of the page.
-    ///
-    /// # Errors
-    /// What is no view.
-    pub fn resize(&mut self, view: &Ts<View>, width: f64, height: f64) -> Result<(), JsError> {
-        self.views.resize(view.to_rust()?, DVec2::new(width, height));
-        Ok(())
-    }
-
-    /// Tells that a view has left the page.
-    ///
-    /// # Errors
-    /// What is no view.
-    pub fn close(&mut self, view: &Ts<View>) -> Result<(), JsError> {
-        let view = view.to_rust()?;
-        self.views.close(view);
-        self.canvases.remove(&view);
-        Ok(())
-    }
-
     /// Lets other mappers take in the run: a drive goes on from this moment, a log from its beginning.
     ///
     /// # Errors
@@ -141,41 +151,6 @@ impl Laboratory {
     #[allow(clippy::needless_pass_by_value, reason = "a list can cross in no other form")]
     pub fn remap(&mut self, mappers: Vec<String>) -> Result<(), JsError> {
         Ok(self.run.remap(opening::mappers(&mappers)?)?)
-    }
-
-    /// Moves what all views show by so many pixels.
-    pub fn drag(&mut self, x: f64, y: f64) {
-        self.views.drag(DVec2::new(x, y));
-    }
-
-    /// Zooms all views by a factor, about a pixel of one of them or about the middle.
-    ///
-    /// # Errors
-    /// What is no view.
-    pub fn zoom(
-        &mut self,
-        factor: f64,
-        view: &Ts<View>,
-        x: Option<f64>,
-        y: Option<f64>,
-    ) -> Result<(), JsError> {
-        let pixel = x.zip(y).map(|(x, y)| DVec2::new(x, y));
-        self.views.zoom(factor, view.to_rust()?, pixel);
-        Ok(())
-    }
-
-    /// Chooses what is shown of the memories.
-    ///
-    /// # Errors
-    /// What is no layer.
-    pub fn show(&mut self, layers: &Ts<Layers>) -> Result<(), JsError> {
-        self.shown = layers.to_rust()?.into();
-        Ok(())
-    }
-
-    /// Shows everything again.
-    pub fn fit(&mut self) {
-        self.views.fit();
     }
 
     /// The session as a file: opening it gives this run again, to the last bit.
@@ -189,56 +164,6 @@ impl Laboratory {
     pub fn map_json(&self, mapper: usize) -> String {
         map(self.run.session(), mapper)
     }
-
-    /// Paints a view on its canvas, which has `density` pixels to one of the page. `true` if room had to be
-    /// made, so that what was painted of other views before shows too little.
-    ///
-    /// # Errors
-    /// What is no view or no look, and what the browser has against painting.
-    pub fn paint(
-        &mut self,
-        view: &Ts<View>,
-        context: &OffscreenCanvasRenderingContext2d,
-        look: &Ts<Look>,
-        density: f64,
-    ) -> Result<bool, JsError> {
-        let (view, look) = (view.to_rust()?, look.to_rust()?);
-        let scene = scene(self.run.session(), view, self.shown);
-        let DVec2 { x: width, y: height } = self.views.size(view);
-        let legend = self.views.has_legend(view);
-        let sheet =
-            Sheet { width, height, theme: look.into(), camera: None, title: false, legend, scale_bar: true };
-        let before = self.views.camera();
-        self.views.make_room(&scene);
-        self.views.make_room_for_legend(sheet.strip(&scene));
-        let camera = self.views.camera();
-        let place = Place { corner: DVec2::ZERO, density };
-        let canvas = self.canvases.entry(view).or_default();
-        let sheet = Sheet { camera: Some(camera), ..sheet };
-        canvas.paint(context, &scene, &sheet, place).map_err(Failure::from)?;
-        Ok(camera != before)
-    }
-
-    /// Paints the world and every memory in a row, with titles and legends, each in a square of that
-    /// many pixels of the page.
-    ///
-    /// # Errors
-    /// What is no look, and what the browser has against painting.
-    pub fn picture(
-        &self,
-        context: &OffscreenCanvasRenderingContext2d,
-        look: &Ts<Look>,
-        side: f64,
-        density: f64,
-    ) -> Result<(), JsError> {
-        let sheet = Sheet::new(side, side, look.to_rust()?.into());
-        for (index, view) in all_views(&self.run).enumerate() {
-            let place = Place { corner: DVec2::new(side * index as f64, 0.0), density };
-            let scene = scene(self.run.session(), view, self.shown);
-            Canvas::default().paint(context, &scene, &sheet, place).map_err(Failure::from)?;
-        }
-        Ok(())
-    }
 }
 
 impl Laboratory {
@@ -248,7 +173,7 @@ impl Laboratory {
         for view in all_views(&run) {
             views.make_room(&scene(run.session(), view, shown));
         }
-        Self { run, views, shown, canvases: BTreeMap::new() }
+        Self { run, views, shown, pointed: None, canvases: BTreeMap::new() }
     }
 }
 

@@ -10,10 +10,14 @@
 //! bytes anywhere.
 
 mod canvas;
+mod courses;
+mod explaining;
+mod explanation;
 mod failure;
 mod homing;
 mod keeping;
 mod laboratory;
+mod landmarks;
 mod layers;
 mod look;
 mod memories;
@@ -26,7 +30,12 @@ mod setup;
 mod status;
 mod views;
 
+pub use explanation::{
+    AlongKind, Candidate, Corrected, Explanation, FittingPair, ReferenceReport, StageKind, StageReport,
+    Weighed,
+};
 pub use laboratory::Laboratory;
+pub use landmarks::Landmark;
 pub use layers::{Colours, Layers};
 pub use look::Look;
 pub use order::Order;

@@ -62,7 +62,7 @@ fn happened(mapper: &Mapper, journal: &MapperJournal) -> Option<Happened> {
     })
 }
 
-fn happening(event: &Event, report: &StepReport) -> Option<Happening> {
+pub(crate) fn happening(event: &Event, report: &StepReport) -> Option<Happening> {
     Some(match event {
         Event::Exit { exit, .. } => {
             Happening::Exit { exit: exit.0, asr: report.place.as_ref().map_or(0, |place| place.asr.0) }
@@ -83,15 +83,20 @@ fn last_view(report: &StepReport) -> LastView {
         seen: report.view.surfaces.len(),
         recognised: report.matches.len(),
         placed: report.placed.len(),
-        placement: match report.placement {
-            Placement::First => PlacementKind::First,
-            Placement::Reference => PlacementKind::Reference,
-            Placement::WeakReference => PlacementKind::WeakReference,
-            Placement::Consensus => PlacementKind::Consensus,
-            Placement::Transform => PlacementKind::Transform,
-            Placement::PartlyOdometry => PlacementKind::PartlyOdometry,
-            Placement::Odometry => PlacementKind::Odometry,
-        },
+        placement: placement(report.placement),
         reference: reference.map(|pair| ReferencePair { seen: pair.seen, known: pair.known.0 }),
+    }
+}
+
+/// What a view was placed by, for the page.
+pub(crate) fn placement(placement: Placement) -> PlacementKind {
+    match placement {
+        Placement::First => PlacementKind::First,
+        Placement::Reference => PlacementKind::Reference,
+        Placement::WeakReference => PlacementKind::WeakReference,
+        Placement::Consensus => PlacementKind::Consensus,
+        Placement::Transform => PlacementKind::Transform,
+        Placement::PartlyOdometry => PlacementKind::PartlyOdometry,
+        Placement::Odometry => PlacementKind::Odometry,
     }
 }

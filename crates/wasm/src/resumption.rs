@@ -40,7 +40,7 @@ pub struct Kept {
 /// What is still to be gone through again, and what happens then.
 pub(crate) struct Resumption {
     /// The moment at which the run is taken up.
-    at: u64,
+    pub(crate) at: u64,
     /// As far as this it has to be gone through first.
     until: u64,
     pub(crate) live: bool,
@@ -49,7 +49,7 @@ pub(crate) struct Resumption {
 }
 
 impl Resumption {
-    /// One more turn; `false` once the run is where it was left.
+    /// One more turn; `false` once everything has happened again.
     pub(crate) fn turn(&mut self, session: &mut Session) -> bool {
         if session.position() < self.until {
             self.rehearse(session);
@@ -57,7 +57,6 @@ impl Resumption {
                 return true;
             }
         }
-        session.jump(self.at.min(session.end()));
         false
     }
 

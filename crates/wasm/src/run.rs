@@ -1,13 +1,16 @@
-use cogmap_formats::situation::{self, Situation};
-use cogmap_geometry::{DVec2, Pose};
+mod deeds;
+mod keeping;
+
+use cogmap_geometry::Pose;
 use cogmap_mapping::MapperSetup;
-use cogmap_simulation::{Command, Driver, Robot, Session, Source, Stamped};
+use cogmap_simulation::{Driver, Robot, Session, Source, Stamped, TICK};
 
 use crate::{
+    courses::Courses,
     failure::Failure,
     homing::homing,
+    landmarks::{Landmark, Landmarks},
     memories::memories,
-    order::{Order, step_to},
     resumption::Resumption,
     status::{SourceKind, Status},
 };
@@ -41,6 +44,8 @@ pub(crate) struct Run {
     live: bool,
     /// Whether an order was given that no tick has seen yet.
     told: bool,
+    landmarks: Landmarks,
+    courses: Courses,
     /// What is still to be gone through again, where a run is taken up at a moment.
     resumption: Option<Resumption>,
 }
@@ -49,38 +54,8 @@ impl Run {
     /// A run that its driver takes along a route; without one the robot waits for orders.
     pub(crate) fn new(session: Session, label: Label, driver: Option<Driver>) -> Self {
         let live = driver.is_some();
-        Self { session, label, driver, live, told: false, resumption: None }
-    }
-
-    /// A run that has to be gone through again, turn by turn with [`Run::resume`], before it can be taken up.
-    pub(crate) fn resuming(session: Session, label: Label, resumption: Resumption) -> Self {
-        Self { session, label, driver: None, live: false, told: false, resumption: Some(resumption) }
-    }
-
-    /// One more turn of what is to be gone through again. `false` once the run is where it was left.
-    pub(crate) fn resume(&mut self) -> bool {
-        let Some(mut resumption) = self.resumption.take() else { return false };
-        if resumption.turn(&mut self.session) {
-            self.resumption = Some(resumption);
-            return true;
-        }
-        let (position, end) = (self.session.position(), self.session.end());
-        self.live = resumption.live;
-        self.driver = resumption.driver;
-        let last = self.session.record().commands().last();
-        self.told = position == end && last.is_some_and(|last| last.tick == end);
-        false
-    }
-
-    /// The run at this moment, as [`Run::resuming`] takes it up again.
-    pub(crate) fn situation(&self) -> String {
-        let situation = Situation {
-            record: self.session.record().clone(),
-            at: self.session.position(),
-            live: self.live,
-            on_route: self.driver.is_some(),
-        };
-        situation::write(&situation, self.label.building.as_deref())
+        let (landmarks, courses) = (Landmarks::default(), Courses::default());
+        Self { session, label, driver, live, told: false, landmarks, courses, resumption: None }
     }
 
     pub(crate) fn label(&self) -> &Label {
@@ -133,21 +108,46 @@ impl Run {
 
     pub(crate) fn jump(&mut self, position: u64) {
         self.resumption = None;
-        self.session.jump(position.min(self.session.end()));
+        self.go_to(position);
         self.told = false;
     }
 
-    /// Ends the playing of the route: the robot finishes its step and waits.
-    pub(crate) fn take_over(&mut self) {
-        self.driver = None;
+    /// Goes to a moment, having noted what the journal is about to forget.
+    fn go_to(&mut self, position: u64) {
+        if position < self.session.position() {
+            self.note_landmarks();
+            self.courses.go_back(&self.session, position);
+        }
+        self.session.jump(position.min(self.session.end()));
     }
 
-    /// Tells the robot what to do; a log's robot cannot be told anything.
-    pub(crate) fn order(&mut self, order: Order) -> Result<(), Failure> {
-        if let Some(robot) = self.robot() {
-            self.tell(order.command(&robot.body)?);
+    /// Goes back to when the first mapper took the view before its latest.
+    pub(crate) fn back_to_previous_view(&mut self) {
+        let before = self.views().checked_sub(2);
+        let report = before.and_then(|before| self.session.journal().mappers.first()?.reports.get(before));
+        if let Some(position) = report.map(|report| self.position_at(report.t)) {
+            self.jump(position);
         }
-        Ok(())
+    }
+
+    /// What the timeline marks, in order, as far as the run has ever come.
+    pub(crate) fn landmarks(&mut self) -> Vec<Landmark> {
+        self.note_landmarks();
+        self.landmarks.all(&self.session)
+    }
+
+    fn note_landmarks(&mut self) {
+        let mut landmarks = std::mem::take(&mut self.landmarks);
+        landmarks.note(&self.session, |t| self.position_at(t));
+        self.landmarks = landmarks;
+    }
+
+    /// The position at which what happened at a time, in seconds, has just happened.
+    pub(crate) fn position_at(&self, t: f64) -> u64 {
+        match &self.session.record().source {
+            Source::World { .. } => (t / TICK).round() as u64,
+            Source::Log { .. } => self.session.journal().odometry.partition_point(|scan| scan.t <= t) as u64,
+        }
     }
 
     /// The robot that is driven; a log's robot is not known.
@@ -158,19 +158,6 @@ impl Run {
         }
     }
 
-    /// Sends the robot straight to a point of the world; `false` if it cannot be sent there.
-    pub(crate) fn reach(&mut self, point: DVec2) -> bool {
-        let step = self.session.world_from_robot().and_then(|pose| step_to(point, pose));
-        step.map(|step| self.tell(step)).is_some()
-    }
-
-    fn tell(&mut self, command: Command) {
-        self.driver = None;
-        self.live = true;
-        self.told = true;
-        self.session.command(command);
-    }
-
     fn views(&self) -> usize {
         self.session.journal().mappers.first().map_or(0, |mapper| mapper.reports.len())
     }
@@ -178,6 +165,7 @@ impl Run {
     /// Shows the run to other mappers: a drive stays where it is, a log, which may be long, begins anew.
     pub(crate) fn remap(&mut self, mappers: Vec<MapperSetup>) -> Result<(), Failure> {
         let position = if self.robot().is_some() { self.session.position() } else { 0 };
+        self.landmarks = Landmarks::default();
         self.session = self.session.remapped(mappers)?;
         self.session.jump(position);
         Ok(())
@@ -206,6 +194,9 @@ impl Run {
             pose: pose.map(|Pose { position, heading }| [position.x, position.y, heading]),
             memories: memories(session),
             homing: homing(session),
+            undoable: self.courses.undo.len(),
+            redoable: self.courses.redo.len(),
+            branches: self.courses.branches.len(),
         }
     }
 }

@@ -1,5 +1,8 @@
-use cogmap_geometry::Pose;
-use cogmap_scene::{MemoryOptions, Scene, WorldOptions, memory_scene, world_scene};
+use cogmap_geometry::{DVec2, Pose};
+use cogmap_scene::{
+    Item, LegendEntry, MemoryOptions, Role, Sample, Scene, Shape, Stage, WorldOptions, memory_scene,
+    point_out, world_scene,
+};
 use cogmap_simulation::Session;
 
 use crate::views::View;
@@ -12,6 +15,24 @@ pub(crate) fn scene(session: &Session, view: View, options: MemoryOptions) -> Sc
     let Some(mapper) = view.mapper() else { return world_scene(session, IN_THE_WORLD) };
     let shared_from_map = shared_from_map(session, mapper).unwrap_or(Pose::IDENTITY);
     memory_scene(session, mapper, options).seen_from(shared_from_map)
+}
+
+/// The world, with the ways that the robot went in futures that were left.
+pub(crate) fn with_left_ways<'a>(mut scene: Scene, ways: impl Iterator<Item = &'a [DVec2]>) -> Scene {
+    let before = scene.changing.len();
+    scene.changing.extend(ways.map(|way| Item::new(Role::Path, Shape::Polyline(way.to_vec()))));
+    if scene.changing.len() > before {
+        scene.legend.push(LegendEntry::new(Sample::Line(Role::Path), "its way on another branch"));
+    }
+    scene
+}
+
+/// The memory of a mapper, with what a stage of its latest step is about pointed out.
+pub(crate) fn explained(session: &Session, mapper: usize, stage: Stage, options: MemoryOptions) -> Scene {
+    let shared_from_map = shared_from_map(session, mapper).unwrap_or(Pose::IDENTITY);
+    let mut scene = memory_scene(session, mapper, MemoryOptions { view: false, ..options });
+    point_out(&mut scene, session, mapper, stage);
+    scene.seen_from(shared_from_map)
 }
 
 /// Where the frame of a mapper's memory lies in the world, or in the odometry's frame where there is

@@ -40,6 +40,12 @@ pub struct Status {
     pub memories: Vec<MemoryStatus>,
     /// How it goes with going home; nothing where that is not what the robot does or did last.
     pub homing: Option<HomingStatus>,
+    /// How many things that a person did can be undone.
+    pub undoable: usize,
+    /// How many that were undone can be done again.
+    pub redoable: usize,
+    /// How many other futures were left when the run went on otherwise from an earlier moment.
+    pub branches: usize,
 }
 
 /// A robot on its way home, or at the end of it.
@@ -150,6 +156,12 @@ pub enum Happening {
     Lost,
     /// The robot found itself in a place that it knew, and goes on in its coordinates.
     Recognised,
+    /// The robot was told to go home.
+    ToldHome,
+    /// The robot was set down elsewhere.
+    Kidnapped,
+    /// Something was changed around the robot.
+    WorldChanged,
 }
 
 /// What a run's readings come from.

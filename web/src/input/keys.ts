@@ -19,6 +19,14 @@ export type Action =
   | 'plans'
   | 'colours'
   | 'theme'
+  | 'undo'
+  | 'redo'
+  | 'branch'
+  | 'why'
+  | 'markOn'
+  | 'markBack'
+  | 'whyOn'
+  | 'whyBack'
   | 'help';
 
 const DIRECTIONS: Record<string, Direction> = {
@@ -52,6 +60,12 @@ const ACTIONS: Record<string, Action> = {
   p: 'plans',
   c: 'colours',
   t: 'theme',
+  '>': 'markOn',
+  '<': 'markBack',
+  v: 'branch',
+  y: 'why',
+  k: 'whyOn',
+  j: 'whyBack',
   '?': 'help',
 };
 
@@ -62,6 +76,9 @@ export function directionOf(event: KeyboardEvent): Direction | undefined {
 
 /** What a key does beside driving. */
 export function actionOf(event: KeyboardEvent): Action | undefined {
+  if ((event.ctrlKey || event.metaKey) && !event.altKey && event.key.toLowerCase() === 'z') {
+    return event.shiftKey ? 'redo' : 'undo';
+  }
   return withModifier(event) ? undefined : ACTIONS[event.key.toLowerCase()];
 }
 
@@ -75,7 +92,7 @@ export function belongsElsewhere(event: KeyboardEvent): boolean {
 
 /** Whether the key is a single letter, digit or sign rather than an arrow or the space bar. */
 export function isCharacter(event: KeyboardEvent): boolean {
-  return event.key.length === 1 && event.key !== ' ';
+  return event.key.length === 1 && event.key !== ' ' && !withModifier(event);
 }
 
 function withModifier(event: KeyboardEvent): boolean {

@@ -4,16 +4,16 @@ import { Keeping } from '../keep/keeping.svelte';
 import { Sharing } from '../keep/sharing.svelte';
 import { strings } from '../strings';
 import type { Bench } from '../worker/bench';
-import { GENERATED, type Choice, type KeptSituation, type Layers, type Notice, type Offer, type Pace, type Saved, type View } from '../worker/protocol';
-import type { Look, Order, Status } from '../wasm/cogmap_wasm';
+import { GENERATED, type Choice, type KeptSituation, type Notice, type Offer, type Pace, type Saved, type View } from '../worker/protocol';
+import type { Order, Status } from '../wasm/cogmap_wasm';
 import { save } from './save';
+import { Showing } from './showing.svelte';
+import { Timeline } from './timeline.svelte';
+import { Why } from './why.svelte';
 import { isCrash, Workshop } from './workshop';
 
 /** Speeds to choose from. */
 export const PACES: Pace[] = [1, 2, 4, 8, 16, 32, 'full'];
-
-/** What surfaces can be coloured by. */
-export const COLOURS: Layers['colours'][] = ['view', 'asr', 'age'];
 
 /** The building that the page opens on. */
 const OPENING_WORLD = 'office';
@@ -29,10 +29,6 @@ export class Lab {
   status = $state.raw<Status>();
   playing = $state(false);
   pace = $state<Pace>(2);
-  /** What is shown of the memories. */
-  layers = $state.raw<Layers>();
-  /** Whether the world is shown beside the memories. */
-  world = $state(true);
   /** Whether somebody has driven yet: the invitation to do so has done its work. */
   driven = $state(false);
   /** Name of the file being read. */
@@ -41,6 +37,11 @@ export class Lab {
   refusal = $state<string>();
   /** Why there is no laboratory at all. */
   failure = $state<string>();
+
+  /** How the views show what there is. */
+  readonly showing = new Showing(() => this.bench);
+  /** What the timeline marks. */
+  readonly timeline = new Timeline();
 
   /** Whether the run moves by itself at this moment. */
   readonly running = $derived(this.playing && this.status !== undefined && !this.status.idle);
@@ -63,9 +64,15 @@ export class Lab {
   readonly mappers = $derived(this.status?.memories.map(({ mapper }) => mapper) ?? []);
   /** The views on the page; at first the memory, until it is known how many there are. */
   readonly views = $derived<View[]>([
-    ...(this.world ? (['world'] as const) : []),
+    ...(this.showing.world ? (['world'] as const) : []),
     ...(this.status?.memories.map(({ view }) => view) ?? (['first'] as const)),
   ]);
+
+  /** The step that is taken apart. */
+  readonly why = new Why({
+    explain: (view, stage) => this.bench.explain(view, stage),
+    toView: (by) => (by < 0 ? this.bench.previous() : this.bench.next()),
+  });
 
   /** Counts the workers: each needs canvases of its own, which a page can hand over only once. */
   generation = $state(0);
@@ -75,11 +82,10 @@ export class Lab {
   readonly keeping: Keeping;
 
   private workshop: Workshop;
-  private look: Look = 'light';
 
   constructor(private readonly address: Address) {
     this.keeping = new Keeping(this, !address.embed);
-    this.workshop = this.furnish();
+    this.workshop = new Workshop(this.refurnish);
   }
 
   private get bench(): Remote<Bench> {
@@ -93,7 +99,7 @@ export class Lab {
       const { robot, mapper, strategy, seed, layers } = offer.choices;
       const world = offer.worlds.find(({ file }) => file === OPENING_WORLD) ?? offer.worlds[0];
       const { asked, complaints } = this.address.choice(offer);
-      this.layers = layers;
+      this.showing.layers = layers;
       this.strategy = strategy;
       await this.start({ world: world?.file ?? '', robot, mappers: [mapper], seed, ...asked }, OPENING_VIEWS);
       this.offer = offer;
@@ -120,10 +126,6 @@ export class Lab {
     this.refusal = warnings.length > 0 ? warnings.join('\n') : undefined;
   }
 
-  private furnish(): Workshop {
-    return new Workshop((reason) => void this.refurnish(reason));
-  }
-
   private load(): Promise<Offer> {
     return this.workshop.begin(
       (notice) => this.hear(notice),
@@ -132,13 +134,13 @@ export class Lab {
   }
 
   /** Puts another worker in the place of one that has ended. */
-  private async refurnish(cause: string): Promise<void> {
+  private readonly refurnish = async (cause: string): Promise<void> => {
     if (!this.offer) {
       this.failure = cause;
       return;
     }
     this.reading = undefined;
-    this.workshop = this.furnish();
+    this.workshop = new Workshop(this.refurnish);
     this.generation += 1;
     try {
       await this.load();
@@ -146,25 +148,15 @@ export class Lab {
       this.failure = reason(error);
       return;
     }
-    this.setLook(this.look);
-    if (this.layers) this.show(this.layers);
+    this.showing.renew();
+    this.why.close();
     await this.keeping.recover();
-  }
+  };
 
   /** Begins a new run. */
   async start(change: Partial<Choice> = {}, views = 0): Promise<void> {
     this.choice = { ...this.choice, ...change };
     await this.ask(() => this.bench.start(this.choice, views));
-  }
-
-  /** Hands the canvas of a view to the worker. */
-  mount(view: View, canvas: HTMLCanvasElement): void {
-    const handed = canvas.transferControlToOffscreen();
-    void this.bench.mount(view, transfer(handed, [handed]));
-  }
-
-  unmount(view: View): void {
-    void this.bench.unmount(view);
   }
 
   /** Shows another mapper's memory of the same run, or takes it away; one always stays. */
@@ -174,23 +166,6 @@ export class Lab {
     if (mappers.length === 0) return;
     this.choice = { ...this.choice, mappers };
     void this.ask(() => this.bench.remap(mappers));
-  }
-
-  toggleWorld = (): void => {
-    this.world = !this.world;
-  };
-
-  /** Shows more or less of the memories. */
-  show(change: Partial<Layers>): void {
-    if (!this.layers) return;
-    this.layers = { ...this.layers, ...change };
-    void this.bench.show(this.layers);
-  }
-
-  /** Colours the surfaces by the next thing that there is to colour them by. */
-  nextColours(): void {
-    const next = COLOURS.indexOf(this.layers?.colours ?? 'view') + 1;
-    this.show({ colours: COLOURS[next % COLOURS.length] ?? 'view' });
   }
 
   /** Runs the same world or file with another set-up. */
@@ -258,8 +233,15 @@ export class Lab {
   next = (): void => void this.bench.next();
   finish = (): void => void this.bench.finish();
   jump = (position: number): void => void this.bench.jump(position);
-  drag = (x: number, y: number): void => void this.bench.drag(x, y);
-  fit = (): void => void this.bench.fit();
+  undo = (): void => void this.bench.undo(false);
+  redo = (): void => void this.bench.undo(true);
+  switchBranch = (): void => void this.bench.switchBranch();
+
+  /** Goes to the next mark of the timeline, or back to the one before. */
+  toMark(by: -1 | 1): void {
+    const to = this.timeline.mark(by, this.status?.position ?? 0);
+    if (to !== undefined) this.jump(to);
+  }
 
   setPace(pace: Pace): void {
     this.pace = pace;
@@ -270,19 +252,6 @@ export class Lab {
   shiftPace(by: 1 | -1): void {
     const pace = PACES[PACES.indexOf(this.pace) + by];
     if (pace !== undefined) this.setPace(pace);
-  }
-
-  zoom(factor: number, view?: View, x?: number, y?: number): void {
-    void this.bench.zoom(factor, view, x, y);
-  }
-
-  resize(view: View, width: number, height: number, density: number): void {
-    void this.bench.resize(view, width, height, density);
-  }
-
-  setLook(look: Look): void {
-    this.look = look;
-    void this.bench.setLook(look);
   }
 
   savePicture = (): Promise<void> => this.keep(() => this.bench.picture());
@@ -303,8 +272,18 @@ export class Lab {
     }
   }
 
-  private hear({ status, playing, pace }: Notice): void {
+  /** Asks why a memory is as it is, and stops time for the answer; asked again, goes on. */
+  askWhy(view: View): void {
+    if (this.why.view === view) return this.why.close();
+    void this.bench.play(false);
+    this.why.open(view);
+  }
+
+  private hear({ status, playing, pace, marks, why }: Notice): void {
+    this.timeline.hear(marks);
     this.status = status;
+    if (this.why.view && !status.memories.some(({ view }) => view === this.why.view)) this.why.close();
+    this.why.hear(why);
     this.playing = playing;
     this.pace = pace;
   }

@@ -1,66 +1,44 @@
-import init, {
-  Laboratory,
-  type Layers,
-  type Look,
-  type Order,
-  type SourceKind,
-  type Status,
-} from '../wasm/cogmap_wasm';
+import init, { Laboratory, type Layers, type Look, type Order, type StageKind, type Status } from '../wasm/cogmap_wasm';
 import { building, chosen } from './choice';
-import { Clock } from './clock';
-import { Easel } from './easel';
-import { Keeper } from './keeper';
 import { hold } from './lifeline';
+import { Player } from './player';
 import type { Brought, Choice, Moment, Notice, Offer, Pace, Resumable, Resumed, Saved, View } from './protocol';
-import { asJson, momentOf } from './saving';
+import { asJson } from './saving';
 import { worlds } from './worlds';
-
-/** How often the page is told what happens, milliseconds. */
-const NOTICE_INTERVAL = 40;
 
 /** The bench on which the laboratory stands: everything here happens off the page's main thread. */
 export class Bench {
-  private laboratory: Laboratory | undefined;
   /** The run to go back to when mapping a log is cancelled. */
   private before: Laboratory | undefined;
   /** The files that were opened last. */
   private brought: Brought[] = [];
-  private readonly easel = new Easel();
-  private readonly clock = new Clock((elapsed, now) => this.turn(elapsed, now));
-  private readonly keeper = new Keeper(() => (this.resuming ? undefined : this.laboratory && momentOf(this.laboratory)));
-  /** Set while a run is gone through again that was left somewhere: nobody is at the controls then. */
-  private resuming = false;
-  private listen: (notice: Notice) => void = () => undefined;
-  private noticed = 0;
-  private playing = true;
-  /** Set while the run hurries to its end. */
-  private hurry: symbol | undefined;
-  /** Drives are watched, logs are mapped as fast as it goes, until somebody wants it otherwise. */
-  private readonly paces: Record<SourceKind, Pace> = { world: 2, log: 'full' };
-  private source: SourceKind = 'world';
+  private readonly player = new Player();
   private layers: Layers | undefined;
 
   /** Loads the engine. `name` is held for as long as the worker lives; `keep` gets what is to be kept. */
   async begin(name: string, listen: (notice: Notice) => void, keep: (moment: Moment) => void): Promise<Offer> {
     await Promise.all([init(), hold(name)]);
-    this.listen = listen;
-    this.keeper.begin(keep);
+    this.player.begin(listen, keep);
     const choices = Laboratory.choices();
     this.layers = choices.layers;
     return { choices, worlds: worlds.map(({ text: _, ...world }) => world) };
   }
 
+  private get laboratory(): Laboratory | undefined {
+    return this.player.laboratory;
+  }
+
   /** Takes over the canvas of a view that has come to the page. */
   mount(view: View, canvas: OffscreenCanvas): void {
-    this.easel.take(view, canvas);
-    this.refresh();
+    this.player.easel.take(view, canvas);
+    this.player.refresh();
   }
 
   /** Forgets a view that has left the page. */
   unmount(view: View): void {
-    this.easel.release(view);
+    this.player.easel.release(view);
     this.laboratory?.close(view);
-    this.refresh();
+    this.player.refresh();
   }
 
   /**
@@ -73,7 +51,7 @@ export class Bench {
     const laboratory = new Laboratory({ world: text, file: `${file}.world.json`, robot, mappers, seed });
     for (let view = 0; view < views; view += 1) laboratory.advance_to_next_view();
     this.replace(laboratory);
-    if (views === 0) this.keeper.touch();
+    if (views === 0) this.player.touch();
   }
 
   /** Takes a run up again where it was left: all that happened until then happens once more, unseen. */
@@ -83,10 +61,10 @@ export class Bench {
     const { building, warnings } = laboratory;
     this.brought = log ? [log] : [];
     this.replace(laboratory);
-    this.resuming = true;
-    await this.rush(() => laboratory.resume_turn());
-    this.resuming = false;
-    this.keeper.touch();
+    this.player.resuming = true;
+    await this.player.rush(() => laboratory.resume_turn());
+    this.player.resuming = false;
+    this.player.touch();
     return { choice: chosen(building, laboratory.status()), warnings };
   }
 
@@ -109,9 +87,9 @@ export class Bench {
   /** Shows the same run to other mappers: a drive goes on where it is, a log is mapped again. */
   remap(mappers: string[]): void {
     this.mounted().remap(mappers);
-    this.keeper.touch();
-    if (this.source === 'log') this.play(true);
-    else this.refresh();
+    this.player.touch();
+    if (this.player.source === 'log') this.player.play(true);
+    else this.player.refresh();
   }
 
   /** Goes back to the run before the log. */
@@ -119,49 +97,77 @@ export class Bench {
     if (!this.before) return;
     const before = this.before;
     this.before = undefined;
-    this.use(before);
-    this.play(false);
+    this.use(before)?.free();
+    this.player.play(false);
   }
 
   /** Tells the robot what to do. */
   order(order: Order): void {
-    if (this.resuming) return;
+    if (this.player.resuming) return;
     this.laboratory?.order(order);
-    this.keeper.touch();
-    this.play(true);
+    this.player.touch();
+    this.player.play(true);
   }
 
   /** Sends the robot to the place that is seen at a point of the view of the world. */
   reach(x: number, y: number): void {
-    if (this.resuming || !this.laboratory?.reach(x, y)) return;
-    this.keeper.touch();
-    this.play(true);
+    if (this.player.resuming || !this.laboratory?.reach(x, y)) return;
+    this.player.touch();
+    this.player.play(true);
   }
 
   /** Ends the playing of the route; from here on the robot waits for orders. */
   takeOver(): void {
-    if (this.resuming) return;
-    this.hurry = undefined;
+    if (this.player.resuming) return;
+    this.player.rest();
     this.laboratory?.take_over();
-    this.keeper.touch();
-    this.refresh();
+    this.player.touch();
+    this.player.refresh();
   }
 
   play(playing: boolean): void {
-    this.hurry = undefined;
-    this.playing = playing;
-    this.refresh();
+    this.player.play(playing);
   }
 
   setPace(pace: Pace): void {
-    this.paces[this.source] = pace;
-    this.refresh();
+    this.player.setPace(pace);
   }
 
   /** Goes on until the next view is taken, then pauses. */
   next(): void {
-    this.play(false);
+    this.player.play(false);
     this.laboratory?.advance_to_next_view();
+  }
+
+  /** Takes back what a person did last, or does it again. */
+  undo(again: boolean): void {
+    if (this.player.resuming) return;
+    this.player.play(false);
+    if (again) this.laboratory?.redo();
+    else this.laboratory?.undo();
+    this.player.touch();
+  }
+
+  /** Goes over to another future that was left. */
+  switchBranch(): void {
+    if (this.player.resuming) return;
+    this.player.play(false);
+    this.laboratory?.switch_branch();
+    this.player.touch();
+  }
+
+  /** Goes back to when the view before the latest was taken. */
+  previous(): void {
+    this.player.play(false);
+    this.laboratory?.back_to_previous_view();
+    this.player.touch();
+  }
+
+  /** Takes the latest step of a memory apart and points one of its stages out; without a memory, no longer. */
+  explain(view: View | undefined, stage: StageKind | undefined): void {
+    this.player.explained = view;
+    this.laboratory?.point_out(view ?? 'world', stage);
+    this.player.refresh();
   }
 
   /**
@@ -169,69 +175,58 @@ export class Bench {
    * is wanted meanwhile ends it.
    */
   async finish(): Promise<Status> {
-    await this.rush(() => this.mounted().advance());
+    await this.player.rush(() => this.mounted().advance());
     return this.mounted().status();
-  }
-
-  private async rush(turn: () => boolean): Promise<void> {
-    this.play(false);
-    const hurry = (this.hurry = Symbol('hurry'));
-    while (this.hurry === hurry && this.clock.rush(turn)) {
-      this.notify(performance.now());
-      await new Promise((heard) => setTimeout(heard));
-    }
-    if (this.hurry === hurry) this.hurry = undefined;
-    this.refresh();
   }
 
   /** Goes to any moment of the run. */
   jump(position: number): void {
-    this.play(false);
+    this.player.play(false);
     this.laboratory?.jump(position);
-    this.keeper.touch();
+    this.player.touch();
   }
 
   /** Runs what was brought from its beginning. */
   rewind(): void {
     this.laboratory?.jump(0);
-    this.play(true);
+    this.player.play(true);
   }
 
   resize(view: View, width: number, height: number, density: number): void {
-    this.easel.resize(view, width, height, density);
+    this.player.easel.resize(view, width, height, density);
     this.laboratory?.resize(view, width, height);
-    this.paint();
+    this.player.paint();
   }
 
   setLook(look: Look): void {
-    this.easel.look = look;
-    this.paint();
+    this.player.easel.look = look;
+    this.player.paint();
   }
 
   show(layers: Layers): void {
     this.layers = layers;
     this.laboratory?.show(layers);
-    this.refresh();
+    this.player.refresh();
   }
 
   drag(x: number, y: number): void {
     this.laboratory?.drag(x, y);
-    this.refresh();
+    this.player.refresh();
   }
 
   zoom(factor: number, view?: View, x?: number, y?: number): void {
     this.laboratory?.zoom(factor, view ?? 'world', x, y);
-    this.refresh();
+    this.player.refresh();
   }
 
   fit(): void {
     this.laboratory?.fit();
-    this.refresh();
+    this.player.refresh();
   }
 
   /** The world and every memory as one picture. */
   async picture(): Promise<Saved> {
-    const blob = await this.easel.picture(this.mounted());
+    const blob = await this.player.easel.picture(this.mounted());
     return { name: `${this.mounted().status().stem}.png`, blob };
   }
 
@@ -256,59 +251,22 @@ export class Bench {
     if (!first) return;
     const { robot, mappers, seed } = choice;
     const opened = Laboratory.open({ name: first.name, robot, mappers, seed }, first.bytes, second?.bytes);
-    const left = this.laboratory;
-    this.laboratory = undefined;
-    this.use(opened);
+    const left = this.use(opened);
     if (left && !this.before) this.before = left;
     else left?.free();
-    this.keeper.touch();
+    this.player.touch();
   }
 
   /** Puts another run in the place of this one, for good. */
   private replace(laboratory: Laboratory): void {
-    this.use(laboratory);
+    this.use(laboratory)?.free();
     this.before?.free();
     this.before = undefined;
   }
 
-  private use(laboratory: Laboratory): void {
-    this.laboratory?.free();
-    this.laboratory = laboratory;
+  /** Plays another run, and returns the one that was played. */
+  private use(laboratory: Laboratory): Laboratory | undefined {
     if (this.layers) laboratory.show(this.layers);
-    this.source = laboratory.status().source;
-    for (const [view, { width, height }] of this.easel.views) laboratory.resize(view, width, height);
-    this.play(true);
-  }
-
-  /** One turn of the clock: time passes, and what changed is shown. */
-  private turn(elapsed: number, now: number): boolean {
-    const laboratory = this.laboratory;
-    if (!laboratory) return false;
-    const moved = this.playing && this.clock.pass(laboratory, elapsed, this.paces[this.source]);
-    if (moved) {
-      this.easel.stale = true;
-      this.keeper.grow();
-    }
-    const painted = this.easel.paint(laboratory, now);
-    const ended = this.playing && !moved && laboratory.idle;
-    if (ended && this.source === 'log') this.playing = false;
-    if (!this.playing || ended || now - this.noticed > NOTICE_INTERVAL) this.notify(now);
-    return (this.playing && !ended) || !painted;
-  }
-
-  private refresh(): void {
-    this.easel.stale = true;
-    this.clock.wake();
-  }
-
-  private paint(): void {
-    if (this.laboratory) this.easel.paintNow(this.laboratory);
-  }
-
-  private notify(now: number): void {
-    if (!this.laboratory) return;
-    this.noticed = now;
-    const status = this.laboratory.status();
-    this.listen({ status, playing: this.playing || this.hurry !== undefined, pace: this.paces[status.source] });
+    return this.player.use(laboratory);
   }
 }

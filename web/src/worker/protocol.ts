@@ -1,4 +1,4 @@
-import type { Choices, Status } from '../wasm/cogmap_wasm';
+import type { Choices, Explanation, Landmark, Status } from '../wasm/cogmap_wasm';
 
 export type { Layers, View } from '../wasm/cogmap_wasm';
 
@@ -63,6 +63,10 @@ export interface Resumed {
 export interface Notice {
   status: Status;
   playing: boolean;
+  /** What the timeline marks. */
+  marks: Landmark[];
+  /** The step that is taken apart, where one is. */
+  why: Explanation | undefined;
   pace: Pace;
 }
 

@@ -6,6 +6,7 @@ const CELL: f64 = 0.05;
 const CELLS_MAX: f64 = 4e6;
 
 /// Square cells over a stretch of floor, numbered row by row.
+#[derive(Clone)]
 pub(super) struct Lattice {
     low: DVec2,
     columns: usize,

@@ -15,6 +15,7 @@ const LEEWAY: f64 = 0.5;
 const PATIENCE: u64 = 60_000_000;
 
 /// Finds ways for a round robot through a building that it knows exactly.
+#[derive(Clone)]
 pub(crate) struct Planner {
     pub(super) obstacles: Obstacles,
     pub(super) lattice: Lattice,

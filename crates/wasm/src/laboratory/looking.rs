@@ -1,0 +1,160 @@
+use cogmap_geometry::DVec2;
+use cogmap_scene::{Scene, Sheet};
+use tsify::{Ts, Tsify};
+use wasm_bindgen::{JsError, prelude::wasm_bindgen};
+use web_sys::OffscreenCanvasRenderingContext2d;
+
+use super::{Laboratory, all_views};
+use crate::{
+    canvas::{Canvas, Place},
+    explaining::explanation,
+    explanation::{Explanation, StageKind},
+    failure::Failure,
+    layers::Layers,
+    look::Look,
+    scenes::{explained, scene, with_left_ways},
+    views::View,
+};
+
+/// What the views show, and how it is painted.
+#[wasm_bindgen]
+impl Laboratory {
+    /// Tells how large a view is, in pixels of the page.
+    ///
+    /// # Errors
+    /// What is no view.
+    pub fn resize(&mut self, view: &Ts<View>, width: f64, height: f64) -> Result<(), JsError> {
+        self.views.resize(view.to_rust()?, DVec2::new(width, height));
+        Ok(())
+    }
+
+    /// Tells that a view has left the page.
+    ///
+    /// # Errors
+    /// What is no view.
+    pub fn close(&mut self, view: &Ts<View>) -> Result<(), JsError> {
+        let view = view.to_rust()?;
+        self.views.close(view);
+        self.canvases.remove(&view);
+        Ok(())
+    }
+
+    /// Moves what all views show by so many pixels.
+    pub fn drag(&mut self, x: f64, y: f64) {
+        self.views.drag(DVec2::new(x, y));
+    }
+
+    /// Zooms all views by a factor, about a pixel of one of them or about the middle.
+    ///
+    /// # Errors
+    /// What is no view.
+    pub fn zoom(
+        &mut self,
+        factor: f64,
+        view: &Ts<View>,
+        x: Option<f64>,
+        y: Option<f64>,
+    ) -> Result<(), JsError> {
+        let pixel = x.zip(y).map(|(x, y)| DVec2::new(x, y));
+        self.views.zoom(factor, view.to_rust()?, pixel);
+        Ok(())
+    }
+
+    /// Chooses what is shown of the memories.
+    ///
+    /// # Errors
+    /// What is no layer.
+    pub fn show(&mut self, layers: &Ts<Layers>) -> Result<(), JsError> {
+        self.shown = layers.to_rust()?.into();
+        Ok(())
+    }
+
+    /// Why the memory in a view is as it is: its latest step taken apart; nothing where there is no step.
+    ///
+    /// # Errors
+    /// What is no view.
+    pub fn explain(&self, view: &Ts<View>) -> Result<Option<Ts<Explanation>>, JsError> {
+        let mapper = view.to_rust()?.mapper();
+        let explanation = mapper.and_then(|mapper| explanation(self.run.session(), mapper));
+        Ok(explanation.map(|explanation| explanation.into_ts()).transpose()?)
+    }
+
+    /// Points out in a view what a stage of its latest step is about; without a stage, nothing.
+    ///
+    /// # Errors
+    /// What is no view or no stage.
+    #[allow(clippy::needless_pass_by_value, reason = "an optional value can cross in no other form")]
+    pub fn point_out(&mut self, view: &Ts<View>, stage: Option<Ts<StageKind>>) -> Result<(), JsError> {
+        let view = view.to_rust()?;
+        self.pointed = stage.map(|stage| stage.to_rust()).transpose()?.map(|stage| (view, stage));
+        Ok(())
+    }
+
+    /// Shows everything again.
+    pub fn fit(&mut self) {
+        self.views.fit();
+    }
+
+    /// Paints a view on its canvas, which has `density` pixels to one of the page. `true` if room had to be
+    /// made, so that what was painted of other views before shows too little.
+    ///
+    /// # Errors
+    /// What is no view or no look, and what the browser has against painting.
+    pub fn paint(
+        &mut self,
+        view: &Ts<View>,
+        context: &OffscreenCanvasRenderingContext2d,
+        look: &Ts<Look>,
+        density: f64,
+    ) -> Result<bool, JsError> {
+        let (view, look) = (view.to_rust()?, look.to_rust()?);
+        let scene = self.scene(view);
+        let DVec2 { x: width, y: height } = self.views.size(view);
+        let legend = self.views.has_legend(view);
+        let sheet =
+            Sheet { width, height, theme: look.into(), camera: None, title: false, legend, scale_bar: true };
+        let before = self.views.camera();
+        self.views.make_room(&scene);
+        self.views.make_room_for_legend(sheet.strip(&scene));
+        let camera = self.views.camera();
+        let place = Place { corner: DVec2::ZERO, density };
+        let canvas = self.canvases.entry(view).or_default();
+        let sheet = Sheet { camera: Some(camera), ..sheet };
+        canvas.paint(context, &scene, &sheet, place).map_err(Failure::from)?;
+        Ok(camera != before)
+    }
+
+    /// Paints the world and every memory in a row, with titles and legends, each in a square of that
+    /// many pixels of the page.
+    ///
+    /// # Errors
+    /// What is no look, and what the browser has against painting.
+    pub fn picture(
+        &self,
+        context: &OffscreenCanvasRenderingContext2d,
+        look: &Ts<Look>,
+        side: f64,
+        density: f64,
+    ) -> Result<(), JsError> {
+        let sheet = Sheet::new(side, side, look.to_rust()?.into());
+        for (index, view) in all_views(&self.run).enumerate() {
+            let place = Place { corner: DVec2::new(side * index as f64, 0.0), density };
+            let scene = scene(self.run.session(), view, self.shown);
+            Canvas::default().paint(context, &scene, &sheet, place).map_err(Failure::from)?;
+        }
+        Ok(())
+    }
+}
+
+impl Laboratory {
+    /// What a view shows at this moment.
+    fn scene(&self, view: View) -> Scene {
+        let session = self.run.session();
+        let pointed = self.pointed.filter(|(pointed, _)| *pointed == view);
+        match (pointed, view.mapper()) {
+            (Some((_, stage)), Some(mapper)) => explained(session, mapper, stage.stage(), self.shown),
+            (_, Some(_)) => scene(session, view, self.shown),
+            (_, None) => with_left_ways(scene(session, view, self.shown), self.run.left_ways()),
+        }
+    }
+}
