@@ -9,7 +9,7 @@ const current = (page: Page) => panel(page).locator('[aria-current="step"]');
 async function ask(page: Page): Promise<BenchPage> {
   const bench = new BenchPage(page);
   await bench.open();
-  await page.getByRole('button', { name: 'Why?' }).first().click();
+  await page.getByRole('button', { name: 'Why?', exact: true }).first().click();
   await expect(current(page)).toHaveText('Scan');
   await expect(page.getByRole('button', { name: 'Play' })).toBeEnabled();
   return bench;
@@ -65,7 +65,7 @@ test('the reference target is told with its runners-up', async ({ page }) => {
   const bench = new BenchPage(page);
   await bench.open();
   await page.getByRole('button', { name: 'perceptual', exact: true }).click();
-  await page.getByRole('button', { name: 'Why?' }).nth(1).click();
+  await page.getByRole('button', { name: 'Why?', exact: true }).nth(1).click();
   await expect(panel(page)).toContainText('by perceptual');
   await panel(page).getByRole('button', { name: 'Reference target' }).click();
   await expect(panel(page)).toContainText(/Surface \d+ became the reference target\./);
@@ -78,7 +78,7 @@ test('what does not exist for a mapper is left out', async ({ page }) => {
   await ask(page);
   const titles = () => panel(page).getByRole('listitem').getByRole('button').allInnerTexts();
   await page.getByRole('button', { name: 'transform', exact: true }).click();
-  await page.getByRole('button', { name: 'Why?' }).nth(1).click();
+  await page.getByRole('button', { name: 'Why?', exact: true }).nth(1).click();
   await expect(panel(page)).toContainText('by transform');
   const stages = (await titles()).map((title) => title.trim());
   expect(stages).toContain('Movement');
@@ -96,7 +96,7 @@ test('on the way home the options are weighed and one is chosen', async ({ page 
   await page.getByLabel('Speed').selectOption('2×');
   await page.getByRole('button', { name: 'Go Home', exact: true }).click();
   await expect(page.getByText(/^By its sense of direction: /).first()).toBeVisible();
-  await page.getByRole('button', { name: 'Why?' }).first().click();
+  await page.getByRole('button', { name: 'Why?', exact: true }).first().click();
   await panel(page).getByRole('button', { name: 'Choice' }).click();
   await expect(panel(page)).toContainText(/It (took way \d+|decided) after view \d+: /);
 });

@@ -2,7 +2,7 @@ use cogmap_mapping::MapperSetup;
 use cogmap_simulation::{Command, Robot, SessionRecord, Source, World};
 
 use super::*;
-use crate::{MemoryOptions, memory_scene};
+use crate::{Item, MemoryOptions, Shape, memory_scene};
 
 fn session(mapper: &str) -> Session {
     let world: World = serde_json::from_str(

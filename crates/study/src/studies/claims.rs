@@ -64,8 +64,8 @@ fn plan(request: &Request) -> Result<Vec<Condition>, String> {
     let mut conditions: Vec<Condition> =
         grid(&loop_b, &robots, &shapes).iter().flat_map(|base| treated(base, &treatments)).collect();
     let networks = [perceptual(), consensus()];
-    conditions.extend(grid(&loop_b, &robots, &networks).into_iter().map(|c| Condition { times: MORE, ..c }));
-    conditions.extend(grid(&loop_a, &robots, &networks));
+    let loops = [loop_b.as_slice(), loop_a.as_slice()].concat();
+    conditions.extend(grid(&loops, &robots, &networks).into_iter().map(|c| Condition { times: MORE, ..c }));
     let sighted = identity::seeing(&robots, &[1.0]);
     conditions.extend(grid(&loop_b, &sighted, &[perceptual(), no_recognition()]));
     conditions.extend(going_home::conditions(&robots)?);
@@ -216,9 +216,7 @@ impl<'a> Asked<'a> {
             }
             checks
         };
-        let rooms =
-            |c: &Condition| c.treatment == Treatment::default() && (c.times == MORE || c.place() != LOOP);
-        self.groups(self.form, rooms).into_iter().flat_map(check).collect()
+        self.groups(self.form, |condition| condition.times == MORE).into_iter().flat_map(check).collect()
     }
 
     fn recognition_is_the_problem(&self) -> Vec<Check> {

@@ -9,13 +9,14 @@ use super::{CELL, begin, keeping::taken_up, number, open, same_bytes::SAME_SESSI
 fn driven() -> Laboratory {
     let mut laboratory = begin(CELL, "good").ok().unwrap();
     laboratory.take_over();
+    until_idle(&mut laboratory);
     nudge(&mut laboratory, 0, 1);
     nudge(&mut laboratory, 1, 0);
     laboratory
 }
 
+/// Tells the robot something, whatever it does, and lets it finish.
 fn nudge(laboratory: &mut Laboratory, ahead: i8, left: i8) {
-    until_idle(laboratory);
     laboratory.order(&ts(&format!(r#"{{"kind":"nudge","ahead":{ahead},"left":{left}}}"#))).ok().unwrap();
     until_idle(laboratory);
 }

@@ -19,9 +19,10 @@ pub(super) fn taken_up(situation: &str, log: Option<Vec<u8>>) -> Result<Laborato
     Ok(laboratory)
 }
 
-/// All that can be told of a run.
+/// All that can be told of a run, but for what can be undone: a run that is taken up begins anew with that.
 fn everything(laboratory: &Laboratory) -> [String; 3] {
     let status: JsValue = laboratory.status().ok().unwrap().into();
+    Reflect::delete_property::<Object>(status.unchecked_ref(), &"undoable".into()).unwrap();
     let status = String::from(JSON::stringify(&status).unwrap());
     [laboratory.save_session(), laboratory.map_json(0), status]
 }
