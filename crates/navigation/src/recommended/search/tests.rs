@@ -67,3 +67,32 @@ fn a_home_inside_a_wall_is_come_near_to() {
     let missing = corners.last().unwrap().distance(DVec2::new(5.0, 0.0));
     assert!(missing > 0.5 && missing <= NEAR_HOME, "{missing}");
 }
+
+/// A hall full of pillars with one door, on the side away from a home behind the opposite wall.
+fn pillared_hall() -> Floor {
+    let mut floor = Floor::default();
+    let mut wall = |a: [f64; 2], b: [f64; 2]| floor.remember_wall(Segment::new(a.into(), b.into()));
+    wall([3.0, -15.0], [3.0, 15.0]);
+    wall([3.0, 15.0], [-27.0, 15.0]);
+    wall([3.0, -15.0], [-27.0, -15.0]);
+    wall([-27.0, -15.0], [-27.0, -1.0]);
+    wall([-27.0, 1.0], [-27.0, 15.0]);
+    for (row, column) in (-11..12).flat_map(|row| (0..23).map(move |column| (row, column))) {
+        let [x, y] = [-26.0 + 1.2 * f64::from(column), 1.2 * f64::from(row)];
+        wall([x, y], [x + 0.1, y]);
+    }
+    floor
+}
+
+#[test]
+fn where_a_building_is_too_large_to_look_into_every_gap_the_wide_ones_still_lead_home() {
+    let (floor, home) = (pillared_hall(), DVec2::new(6.0, 0.0));
+    let footing = Footing { near: 100.0, ..Footing::default() };
+    let mut search = Search::new(ease(&floor, &footing), home);
+    search.begin(true);
+    assert_eq!(search.next_end(), None);
+    assert!(search.has_lost_patience(), "{} cells", search.expanded);
+    let way = search.way(true).unwrap();
+    assert!(search.leads_home(&way) && !search.has_lost_patience());
+    assert!(way.iter().any(|cell| cell.middle().x < -27.0), "out by the door");
+}
