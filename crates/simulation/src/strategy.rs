@@ -42,6 +42,15 @@ impl Strategy {
         if name == ORACLE { Some(Self::Oracle) } else { StrategySetup::named(name).map(Self::Robot) }
     }
 
+    /// Every parameter of the robot's own program; the oracle has none.
+    #[must_use]
+    pub fn setup(&self) -> Option<&StrategySetup> {
+        match self {
+            Self::Robot(setup) => Some(setup),
+            Self::Oracle => None,
+        }
+    }
+
     /// The name under which it is chosen.
     #[must_use]
     pub fn name(&self) -> &'static str {

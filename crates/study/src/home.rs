@@ -38,6 +38,11 @@ door closed behind it (another way exists, or, in no-way, none does), furniture 
 without a collision; SPL is the shortest true way over the way driven, 0 without success. Choose with --robot, \
 --setting and --strategy. A run that was cut off goes on from the rows in --out DIR.";
 
+/// What the robot remembers by, whoever finds the way.
+fn mapper() -> MapperSetup {
+    MapperSetup::Consensus(Box::default())
+}
+
 /// A way out that is made from the seed, or is always the same, in a building that stays as it is.
 ///
 /// # Errors

@@ -1,10 +1,11 @@
 use std::collections::BTreeMap;
 
 use cogmap_mapping::MapperSetup;
+use cogmap_navigation::StrategySetup;
 use cogmap_simulation::Robot;
 use serde::Serialize;
 
-use crate::{Check, Condition, Ground, MEASURES, Measure, Outcome, Study, metrics::Estimate};
+use crate::{Check, Condition, Ground, MEASURES, Measure, Outcome, Study, Variant, metrics::Estimate};
 
 /// Which seeds were run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -28,6 +29,9 @@ pub struct Summary<'a> {
     measures: &'static [Measure],
     robots: BTreeMap<&'a str, &'a Robot>,
     mappers: BTreeMap<&'a str, &'a MapperSetup>,
+    /// Who finds the way home by what the mapper of that name remembers.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    strategies: BTreeMap<&'a str, &'a StrategySetup>,
 }
 
 #[derive(Serialize)]
@@ -54,7 +58,7 @@ impl<'a> Summary<'a> {
     #[must_use]
     pub fn of(study: &Study, seeds: Seeds, outcome: &'a Outcome, checks: &'a [Check]) -> Self {
         let conditions = &outcome.conditions;
-        let variants = conditions.iter().flat_map(|condition| &condition.mappers);
+        let variants = || conditions.iter().flat_map(|condition| &condition.mappers);
         Self {
             format: "cogmap-study/1",
             study: study.name,
@@ -65,7 +69,8 @@ impl<'a> Summary<'a> {
             groups: outcome.groups().map(|group| GroupSummary::of(&group)).collect(),
             measures: &MEASURES,
             robots: conditions.iter().filter_map(robot_of).collect(),
-            mappers: variants.map(|variant| (variant.label.as_str(), &variant.setup)).collect(),
+            mappers: variants().map(|variant| (variant.label.as_str(), &variant.setup)).collect(),
+            strategies: variants().filter_map(strategy_of).collect(),
         }
     }
 }
@@ -75,6 +80,10 @@ fn robot_of(condition: &Condition) -> Option<(&str, &Robot)> {
         Ground::Drive { robot, .. } | Ground::WayHome { robot, .. } => Some((&robot.name, robot)),
         Ground::Log(_) => None,
     }
+}
+
+fn strategy_of(variant: &Variant) -> Option<(&str, &StrategySetup)> {
+    Some((&variant.label, variant.strategy.as_ref()?.setup()?))
 }
 
 impl<'a> GroupSummary<'a> {

@@ -1,6 +1,8 @@
 use std::collections::BTreeMap;
 
-use cogmap_simulation::Setting;
+use cogmap_mapping::MapperSetup;
+use cogmap_navigation::StrategySetup;
+use cogmap_simulation::{Robot, Setting, Strategy};
 use serde::Serialize;
 
 use super::{
@@ -27,6 +29,9 @@ pub struct HomeSummary {
     pub pairs: Vec<SplPair>,
     /// What the bar says of `recommended` with the bad robot.
     pub checks: Vec<Check>,
+    robots: BTreeMap<String, Robot>,
+    mappers: BTreeMap<&'static str, MapperSetup>,
+    strategies: BTreeMap<&'static str, StrategySetup>,
 }
 
 /// The ways home of one strategy with one robot in one setting. Rates have Wilson's interval, means and
@@ -113,8 +118,15 @@ impl HomeSummary {
             pairs: groups.iter().flat_map(|(key, strategies)| pairs(*key, strategies)).collect(),
             checks: checks(&groups),
             groups: figures,
+            robots: plan.robots.iter().map(|robot| (robot.name.clone(), robot.clone())).collect(),
+            mappers: BTreeMap::from([super::mapper()].map(|mapper| (mapper.name(), mapper))),
+            strategies: plan.strategies.iter().filter_map(with_name).collect(),
         }
     }
+}
+
+fn with_name(strategy: &Strategy) -> Option<(&'static str, StrategySetup)> {
+    Some((strategy.name(), strategy.setup()?.clone()))
 }
 
 fn groups(rows: &[HomeRow]) -> Groups<'_> {

@@ -98,3 +98,30 @@ pub(super) fn floor(seed: u64) -> Result<(World, Vec<DVec2>), String> {
     let route = route.iter().map(|&point| point.into()).collect();
     Ok((world, route))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::HomeSummary;
+    use super::*;
+
+    #[test]
+    fn the_summary_tells_every_parameter_of_whom_a_plan_tries() {
+        let named = |name| Strategy::named(name).unwrap();
+        let plan = Plan {
+            worlds: Vec::new(),
+            robots: vec![Robot::named("bad").unwrap()],
+            settings: vec![Setting::Furnished],
+            strategies: vec![named("recommended"), named("oracle")],
+            seeds: Seeds { first: 1, count: 1 },
+        };
+        let summary = serde_json::to_value(HomeSummary::of(&plan, &[])).unwrap();
+        for (of, number) in [
+            ("robots", "/bad/laser/mixed_pixels"),
+            ("mappers", "/consensus/search/enough"),
+            ("strategies", "/recommended/rescue/patience"),
+        ] {
+            assert!(summary[of].pointer(number).is_some_and(serde_json::Value::is_number), "{}", summary[of]);
+        }
+        assert_eq!(summary["strategies"].as_object().unwrap().len(), 1, "the oracle has no parameters");
+    }
+}

@@ -2,7 +2,6 @@ use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::time::Duration;
 
-use cogmap_mapping::MapperSetup;
 use cogmap_simulation::{Episode, Session, Setting};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -67,7 +66,7 @@ fn perform(plan: &Plan, task: Task, times: &Mutex<DecisionTimes>) -> Result<Vec<
     let name = |problem| format!("{place}, seed {}: {problem}", task.seed);
     let (world, route) = plan.ground(task).map_err(name)?;
     let robot = &plan.robots[task.robot];
-    let with = (robot, &MapperSetup::Consensus(Box::default()));
+    let with = (robot, &super::mapper());
     let mut furnished: Option<Option<Session>> = None;
     let mut rows = Vec::new();
     for &setting in &plan.settings {

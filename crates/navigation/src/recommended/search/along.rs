@@ -8,6 +8,10 @@ use super::{
     NEAR_HOME, REACHED, SHORT_OF_HOME, Search,
 };
 
+/// Lines by which a way is pulled tight are no longer than this while it has many points, metres: what that takes
+/// grows with the way then, and not with its square.
+const REACH: f64 = 6.0;
+
 /// What ways cost along straight lines, and what is still to come.
 impl Search<'_> {
     /// What the way from a cell to home costs at least.
@@ -56,14 +60,23 @@ impl Search<'_> {
         (missing <= NEAR_HOME).then_some(cost + missing * SHORT_OF_HOME)
     }
 
-    /// Leaves out the points of a way that straight lines can do without at no more cost.
+    /// Leaves out the points of a way that straight lines can do without at no more cost: first those that
+    /// lines of [`REACH`] can, then those that lines of any length can.
     pub(in super::super) fn pull_tight(&mut self, from: DVec2, points: &[DVec2]) -> Vec<DVec2> {
+        let corners = self.pull_within(REACH, from, points);
+        self.pull_within(f64::INFINITY, from, &corners)
+    }
+
+    fn pull_within(&mut self, reach: f64, from: DVec2, points: &[DVec2]) -> Vec<DVec2> {
         let mut corners = Vec::new();
         let (mut at, mut next) = (from, 0);
         while next < points.len() {
             let mut along = self.line(at, points[next]).unwrap_or(f64::INFINITY);
             let mut last = next;
             for k in next + 1..points.len() {
+                if at.distance(points[k]) > reach {
+                    break;
+                }
                 along += self.line(points[k - 1], points[k]).unwrap_or(f64::INFINITY);
                 match self.line(at, points[k]) {
                     Some(straight) if straight <= along + 0.02 => {

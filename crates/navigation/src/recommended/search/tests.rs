@@ -47,6 +47,14 @@ fn in_the_open_the_way_is_straight_and_costs_what_was_never_seen_costs() {
 }
 
 #[test]
+fn a_way_far_longer_than_the_lines_that_it_is_pulled_tight_by_has_no_corner_too_many() {
+    let mut floor = Floor::default();
+    floor.travel(Segment::new(DVec2::ZERO, DVec2::new(40.0, 13.0)));
+    let (_, corners) = way(&floor, DVec2::new(40.0, 13.0));
+    assert_eq!(corners.len(), 1, "{corners:?}");
+}
+
+#[test]
 fn a_wall_that_is_far_leaves_a_barrier_and_one_that_is_near_is_closed() {
     let floor = floor(0.0);
     let [near, far] = [20.0, 1.0].map(|near| {
