@@ -1,6 +1,9 @@
 import { readFile } from 'node:fs/promises';
 import { expect, type Page } from '@playwright/test';
 
+/** What can be saved of a run, as the page calls it. */
+type Savable = 'Picture' | 'Drawing' | 'Session' | 'Map' | 'Map by odometry' | 'Table' | 'Everything';
+
 /** The page as its tests see it. */
 export class BenchPage {
   constructor(readonly page: Page) {}
@@ -76,7 +79,7 @@ export class BenchPage {
   }
 
   /** Saves one of the things that the page offers and returns it. */
-  async save(what: 'Picture' | 'Session' | 'Map' | 'Map by odometry'): Promise<{ name: string; bytes: Buffer }> {
+  async save(what: Savable): Promise<{ name: string; bytes: Buffer }> {
     const saving = this.page.waitForEvent('download');
     await this.share(what);
     const download = await saving;

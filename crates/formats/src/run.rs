@@ -6,6 +6,7 @@ mod homing;
 mod map;
 mod network;
 mod report;
+mod table;
 mod trajectory;
 
 use cogmap_simulation::{Session, SessionRecord, Stamped};
@@ -16,6 +17,7 @@ pub use events::events;
 pub use map::map;
 pub use network::network;
 pub use report::report;
+pub use table::table;
 
 /// What the session does not hold but its files can tell.
 #[derive(Clone, Copy, Debug, Default)]

@@ -1,8 +1,8 @@
 mod looking;
+mod saving;
 
 use std::collections::BTreeMap;
 
-use cogmap_formats::{run::map, session};
 use cogmap_geometry::DVec2;
 use cogmap_scene::MemoryOptions;
 use tsify::{Ts, Tsify};
@@ -151,18 +151,6 @@ impl Laboratory {
     #[allow(clippy::needless_pass_by_value, reason = "a list can cross in no other form")]
     pub fn remap(&mut self, mappers: Vec<String>) -> Result<(), JsError> {
         Ok(self.run.remap(opening::mappers(&mappers)?)?)
-    }
-
-    /// The session as a file: opening it gives this run again, to the last bit.
-    #[must_use]
-    pub fn save_session(&self) -> String {
-        session::write(self.run.session().record())
-    }
-
-    /// The map of one of the mappers, counted from 0, as a file; empty where there is no such mapper.
-    #[must_use]
-    pub fn map_json(&self, mapper: usize) -> String {
-        map(self.run.session(), mapper)
     }
 }
 

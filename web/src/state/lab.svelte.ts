@@ -4,7 +4,7 @@ import { Keeping } from '../keep/keeping.svelte';
 import { Sharing } from '../keep/sharing.svelte';
 import { strings } from '../strings';
 import type { Bench } from '../worker/bench';
-import { GENERATED, type Choice, type KeptSituation, type Notice, type Offer, type Pace, type Saved, type View } from '../worker/protocol';
+import { GENERATED, type Choice, type FileKind, type KeptSituation, type Notice, type Offer, type Pace, type Saved, type View } from '../worker/protocol';
 import type { Order, Status } from '../wasm/cogmap_wasm';
 import { save } from './save';
 import { Showing } from './showing.svelte';
@@ -254,8 +254,7 @@ export class Lab {
     if (pace !== undefined) this.setPace(pace);
   }
 
-  savePicture = (): Promise<void> => this.keep(() => this.bench.picture());
-  saveSession = (): Promise<void> => this.keep(() => this.bench.session());
+  saveFile = (kind: FileKind): Promise<void> => this.keep(() => this.bench[kind]());
   saveMap = (mapper: number): Promise<void> => this.keep(() => this.bench.map(mapper));
 
   private async keep(make: () => Promise<Saved>): Promise<void> {

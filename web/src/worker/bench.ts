@@ -3,8 +3,10 @@ import { building, chosen } from './choice';
 import { hold } from './lifeline';
 import { Player } from './player';
 import type { Brought, Choice, Moment, Notice, Offer, Pace, Resumable, Resumed, Saved, View } from './protocol';
-import { asJson } from './saving';
+import { archive, asText } from './saving';
 import { worlds } from './worlds';
+
+const JSON_TYPE = 'application/json';
 
 /** The bench on which the laboratory stands: everything here happens off the page's main thread. */
 export class Bench {
@@ -230,16 +232,32 @@ export class Bench {
     return { name: `${this.mounted().status().stem}.png`, blob };
   }
 
+  /** The world and every memory as one drawing. */
+  drawing(): Saved {
+    const laboratory = this.mounted();
+    return asText(laboratory, 'svg', 'image/svg+xml', laboratory.drawing(this.player.easel.look));
+  }
+
   /** The whole session as a file. */
   session(): Saved {
-    return asJson(this.mounted(), 'session', (laboratory) => laboratory.save_session());
+    return asText(this.mounted(), 'session.json', JSON_TYPE, this.mounted().save_session());
   }
 
   /** The map of one of the mappers, counted from 0, as a file. */
   map(mapper: number): Saved {
     const { memories } = this.mounted().status();
     const kind = memories.length > 1 ? `map.${memories[mapper]?.mapper}` : 'map';
-    return asJson(this.mounted(), kind, (laboratory) => laboratory.map_json(mapper));
+    return asText(this.mounted(), `${kind}.json`, JSON_TYPE, this.mounted().map_json(mapper));
+  }
+
+  /** Where the robot was and where each mapper believed it to be, as a table. */
+  table(): Saved {
+    return asText(this.mounted(), 'csv', 'text/csv', this.mounted().table());
+  }
+
+  /** Everything that can be saved, in one archive. */
+  everything(): Promise<Saved> {
+    return archive(this.mounted(), this.drawing());
   }
 
   private mounted(): Laboratory {

@@ -76,6 +76,9 @@ export interface Offer {
   worlds: { file: string; name: string; group: WorldGroup; description: string }[];
 }
 
+/** What there is one file of for the whole run. */
+export type FileKind = 'picture' | 'drawing' | 'session' | 'table' | 'everything';
+
 /** A file that is ready to be saved. */
 export interface Saved {
   name: string;

@@ -1,3 +1,4 @@
+use js_sys::Reflect;
 use wasm_bindgen::JsValue;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -43,4 +44,20 @@ fn what_cannot_be_opened_gets_an_answer() {
     }
     assert!(message(begin(CELL, "lazy")).contains("perfect"));
     assert!(message(begin("[]", "bad")).contains("cell.world.json"));
+}
+
+#[wasm_bindgen_test]
+fn every_file_of_a_run_can_be_taken_away_and_tells_of_the_same_run() {
+    let mut laboratory = begin(CELL, "bad").ok().unwrap();
+    until_idle(&mut laboratory);
+    let rows = laboratory.table().lines().count() - 1;
+    let files: Vec<JsValue> = laboratory.text_files().ok().unwrap().into_iter().map(JsValue::from).collect();
+    let get = |file: &JsValue, key: &str| Reflect::get(file, &key.into()).unwrap().as_string().unwrap();
+    let of = |name: &str| {
+        files.iter().find(|file| get(file, "name") == name).map(|file| get(file, "text")).unwrap()
+    };
+    assert_eq!(of("truth.tum").lines().count(), rows);
+    assert_eq!(of("map.json"), laboratory.map_json(0));
+    assert_eq!(of("session.json"), laboratory.save_session());
+    assert!(of("network.g2o").contains("VERTEX_SE2"));
 }
