@@ -92,6 +92,12 @@ export const controls = {
     left: 'Turn left',
     right: 'Turn right',
     stop: 'Stop',
+    stick: 'Push the stick to where the robot should go; let go to stop',
+  },
+
+  gamepad: {
+    name: 'Gamepad',
+    found: 'Gamepad found: its left stick or cross drives, A goes home, B stops, Start plays and pauses.',
   },
 
   invitation: {

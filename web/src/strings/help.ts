@@ -6,6 +6,8 @@ export const help = {
     'On the left the building as it is; on the right the robot’s memory of it, put together from what its laser sees. Its odometry is wrong, and nothing ever tells it the truth.',
   pointing:
     'Click or tap in the world to send the robot there: it turns, drives straight and takes a view. Drag to move all views, scroll or pinch to zoom.',
+  gamepad:
+    'A gamepad is found once you press one of its buttons: the left stick or the cross drives, A goes home, B stops, Start plays and pauses.',
   keys: 'Keys',
   single: 'Use single-letter shortcuts',
   close: 'Close',
