@@ -31,7 +31,8 @@ pub fn run(
             progress();
             rows
         };
-        drives.into_par_iter().map(rows_of).collect()
+        // One by one: in longer stretches a core that has done its own waits for the last one.
+        drives.into_par_iter().with_max_len(1).map(rows_of).collect()
     });
     let mut rows: Vec<Row> = rows?.into_iter().flatten().collect();
     rows.sort_by_key(|row| (row.condition, row.seed, row.mapper));

@@ -54,7 +54,7 @@ pub fn run(
             done(&rows);
             Ok(rows)
         };
-        tasks.par_iter().map(performed).collect()
+        tasks.par_iter().with_max_len(1).map(performed).collect()
     });
     let times = times.into_inner().unwrap_or_default();
     Ok((rows?.into_iter().flatten().collect(), times))
