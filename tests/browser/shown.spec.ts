@@ -50,9 +50,15 @@ test('what a memory shows can be chosen by mouse and by key', async ({ page }) =
   await changed();
   await page.getByLabel('Colour by').selectOption('age');
   await changed();
+  for (const from of ['the robot', 'the entrance', 'outside']) {
+    await page.getByRole('combobox', { name: 'Seen from' }).selectOption(from);
+    await changed();
+  }
   await bench.chip('truth').click();
   await changed();
   await page.getByRole('heading', { level: 1 }).click();
+  await page.keyboard.press('g');
+  await expect(page.getByRole('combobox', { name: 'Seen from' })).toHaveValue('robot');
   for (const [key, chip] of [['n', 'network'], ['e', 'exits'], ['o', 'truth']] as const) {
     const pressed = await bench.chip(chip).getAttribute('aria-pressed');
     await page.keyboard.press(key);

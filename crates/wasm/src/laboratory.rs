@@ -17,6 +17,7 @@ use crate::{
     run::Run,
     scenes::scene,
     setup::{Choices, Opening, Setup},
+    stance::Stance,
     status::Status,
     views::{View, Views},
 };
@@ -27,6 +28,7 @@ pub struct Laboratory {
     pub(crate) run: Run,
     views: Views,
     shown: MemoryOptions,
+    stance: Stance,
     /// The stage of the latest step that is pointed out, and in which view.
     pointed: Option<(View, StageKind)>,
     canvases: BTreeMap<View, Canvas>,
@@ -161,7 +163,7 @@ impl Laboratory {
         for view in all_views(&run) {
             views.make_room(&scene(run.session(), view, shown));
         }
-        Self { run, views, shown, pointed: None, canvases: BTreeMap::new() }
+        Self { run, views, shown, stance: Stance::Map, pointed: None, canvases: BTreeMap::new() }
     }
 }
 

@@ -2,6 +2,8 @@ use cogmap_scene::{Colouring, MemoryOptions};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 
+use crate::stance::Stance;
+
 /// What is shown of the memories beside their surfaces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Tsify)]
 #[serde(deny_unknown_fields)]
@@ -16,6 +18,8 @@ pub struct Layers {
     pub truth: bool,
     /// What a robot on its way home has in mind.
     pub homing: bool,
+    /// From where the memories are looked at.
+    pub stance: Stance,
 }
 
 /// What the colour of a surface says.
@@ -32,13 +36,20 @@ pub enum Colours {
 
 impl Default for Layers {
     fn default() -> Self {
-        Self { colours: Colours::View, exits: true, network: true, truth: false, homing: true }
+        Self {
+            colours: Colours::View,
+            exits: true,
+            network: true,
+            truth: false,
+            homing: true,
+            stance: Stance::Map,
+        }
     }
 }
 
 impl From<Layers> for MemoryOptions {
     fn from(layers: Layers) -> Self {
-        let Layers { colours, exits, network, truth, homing } = layers;
+        let Layers { colours, exits, network, truth, homing, stance: _ } = layers;
         let colouring = match colours {
             Colours::View => Colouring::View,
             Colours::Asr => Colouring::Asr,

@@ -27,6 +27,7 @@ mod resumption;
 mod run;
 mod scenes;
 mod setup;
+mod stance;
 mod status;
 mod views;
 

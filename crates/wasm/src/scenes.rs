@@ -27,12 +27,17 @@ pub(crate) fn with_left_ways<'a>(mut scene: Scene, ways: impl Iterator<Item = &'
     scene
 }
 
-/// The memory of a mapper, with what a stage of its latest step is about pointed out.
-pub(crate) fn explained(session: &Session, mapper: usize, stage: Stage, options: MemoryOptions) -> Scene {
-    let shared_from_map = shared_from_map(session, mapper).unwrap_or(Pose::IDENTITY);
+/// The memory of a mapper in its own frame, with what a stage of its latest step is about pointed out.
+pub(crate) fn explained(
+    session: &Session,
+    mapper: usize,
+    stage: Option<Stage>,
+    options: MemoryOptions,
+) -> Scene {
+    let Some(stage) = stage else { return memory_scene(session, mapper, options) };
     let mut scene = memory_scene(session, mapper, MemoryOptions { view: false, ..options });
     point_out(&mut scene, session, mapper, stage);
-    scene.seen_from(shared_from_map)
+    scene
 }
 
 /// Where the frame of a mapper's memory lies in the world, or in the odometry's frame where there is

@@ -18,6 +18,7 @@ export type Action =
   | 'network'
   | 'plans'
   | 'colours'
+  | 'stance'
   | 'theme'
   | 'undo'
   | 'redo'
@@ -59,6 +60,7 @@ const ACTIONS: Record<string, Action> = {
   n: 'network',
   p: 'plans',
   c: 'colours',
+  g: 'stance',
   t: 'theme',
   '>': 'markOn',
   '<': 'markBack',

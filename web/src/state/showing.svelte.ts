@@ -6,6 +6,9 @@ import type { Layers, View } from '../worker/protocol';
 /** What surfaces can be coloured by. */
 export const COLOURS: Layers['colours'][] = ['view', 'asr', 'age'];
 
+/** From where memories can be looked at. */
+export const STANCES: Layers['stance'][] = ['map', 'robot', 'entrance'];
+
 /** How the views show what there is: their canvases, place and colours, and what is left out. */
 export class Showing {
   /** What is shown of the memories. */
@@ -41,6 +44,12 @@ export class Showing {
   nextColours(): void {
     const next = COLOURS.indexOf(this.layers?.colours ?? 'view') + 1;
     this.show({ colours: COLOURS[next % COLOURS.length] ?? 'view' });
+  }
+
+  /** Looks at the memories from the next place that there is to look from. */
+  nextStance(): void {
+    const next = STANCES.indexOf(this.layers?.stance ?? 'map') + 1;
+    this.show({ stance: STANCES[next % STANCES.length] ?? 'map' });
   }
 
   zoom(factor: number, view?: View, x?: number, y?: number): void {

@@ -22,6 +22,7 @@ export const help = {
     { keys: ['[', ']'], does: 'slower, faster' },
     { keys: ['+', '−', '0'], does: 'zoom in, zoom out, show everything' },
     { keys: ['C'], does: 'colour by view, local space or age' },
+    { keys: ['G'], does: 'see the memories from outside, from the robot, from the entrance' },
     { keys: ['E', 'N', 'P', 'O'], does: 'show exits, the network, plans, the truth' },
     { keys: ['<', '>'], does: 'to the event before, to the next event' },
     { keys: ['Ctrl Z', 'Ctrl Shift Z'], does: 'undo what you told the robot, and redo it' },

@@ -38,6 +38,10 @@ export const seeing = {
     layers: 'In the memories',
     colours: 'Colour by',
     by: { view: 'view', asr: 'local space', age: 'age' },
+    stance: 'Seen from',
+    stanceHint:
+      'From outside the map stands still; from the robot or from where it entered this local space, that stands still and looks up',
+    from: { map: 'outside', robot: 'the robot', entrance: 'the entrance' },
     exits: 'exits',
     exitsHint: 'The narrow places between local spaces, found after the robot went through',
     network: 'network',

@@ -1,4 +1,4 @@
-use cogmap_geometry::DVec2;
+use cogmap_geometry::{DVec2, Pose};
 use cogmap_scene::{Scene, Sheet};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::{JsError, prelude::wasm_bindgen};
@@ -12,7 +12,8 @@ use crate::{
     failure::Failure,
     layers::Layers,
     look::Look,
-    scenes::{explained, scene, with_left_ways},
+    scenes::{explained, scene, shared_from_map, with_left_ways},
+    stance::Stance,
     views::View,
 };
 
@@ -65,7 +66,9 @@ impl Laboratory {
     /// # Errors
     /// What is no layer.
     pub fn show(&mut self, layers: &Ts<Layers>) -> Result<(), JsError> {
-        self.shown = layers.to_rust()?.into();
+        let layers = layers.to_rust()?;
+        self.stance = layers.stance;
+        self.shown = layers.into();
         Ok(())
     }
 
@@ -114,7 +117,10 @@ impl Laboratory {
         let sheet =
             Sheet { width, height, theme: look.into(), camera: None, title: false, legend, scale_bar: true };
         let before = self.views.camera();
-        self.views.make_room(&scene);
+        // What moves around the robot goes where it will.
+        if view.mapper().is_none() || self.stance == Stance::Map {
+            self.views.make_room(&scene);
+        }
         self.views.make_room_for_legend(sheet.strip(&scene));
         let camera = self.views.camera();
         let place = Place { corner: DVec2::ZERO, density };
@@ -150,11 +156,14 @@ impl Laboratory {
     /// What a view shows at this moment.
     fn scene(&self, view: View) -> Scene {
         let session = self.run.session();
+        let Some(mapper) = view.mapper() else {
+            return with_left_ways(scene(session, view, self.shown), self.run.left_ways());
+        };
+        let middle = self.views.camera().center;
+        let place = self.stance.view_from_map(session, mapper, middle).or(shared_from_map(session, mapper));
+        let place = place.unwrap_or(Pose::IDENTITY);
         let pointed = self.pointed.filter(|(pointed, _)| *pointed == view);
-        match (pointed, view.mapper()) {
-            (Some((_, stage)), Some(mapper)) => explained(session, mapper, stage.stage(), self.shown),
-            (_, Some(_)) => scene(session, view, self.shown),
-            (_, None) => with_left_ways(scene(session, view, self.shown), self.run.left_ways()),
-        }
+        let stage = pointed.map(|(_, stage)| stage.stage());
+        explained(session, mapper, stage, self.shown).seen_from(place)
     }
 }
