@@ -1,9 +1,10 @@
+mod altering;
 mod deeds;
 mod keeping;
 
 use cogmap_geometry::Pose;
 use cogmap_mapping::MapperSetup;
-use cogmap_simulation::{Driver, Robot, Session, Source, Stamped, TICK};
+use cogmap_simulation::{Door, Driver, Robot, Session, Source, Stamped, TICK};
 
 use crate::{
     courses::Courses,
@@ -12,7 +13,7 @@ use crate::{
     landmarks::{Landmark, Landmarks},
     memories::memories,
     resumption::Resumption,
-    status::{SourceKind, Status},
+    status::{BuildingStatus, DoorStatus, SourceKind, Status},
 };
 
 /// A step that has not led to a view after so many ticks is not waited for any longer.
@@ -192,6 +193,7 @@ impl Run {
             collisions: journal.mappers.first().map_or(0, |mapper| mapper.collisions().count()),
             travelled: length_of(if truth_known { &journal.truth } else { &journal.odometry }),
             pose: pose.map(|Pose { position, heading }| [position.x, position.y, heading]),
+            building: building(session),
             memories: memories(session),
             homing: homing(session),
             undoable: self.courses.undo.len(),
@@ -199,6 +201,17 @@ impl Run {
             branches: self.courses.branches.len(),
         }
     }
+}
+
+/// What can be changed around the robot.
+fn building(session: &Session) -> Option<BuildingStatus> {
+    let world = session.world()?;
+    let door = |door: &Door| DoorStatus { name: door.name.clone(), open: door.open };
+    Some(BuildingStatus {
+        doors: world.doors.iter().map(door).collect(),
+        boxes: world.boxes.len(),
+        rooms: world.rooms.iter().map(|room| room.name.clone()).collect(),
+    })
 }
 
 fn length_of(path: &[Stamped]) -> f64 {

@@ -22,6 +22,7 @@ export type Action =
   | 'undo'
   | 'redo'
   | 'branch'
+  | 'change'
   | 'why'
   | 'markOn'
   | 'markBack'
@@ -63,6 +64,7 @@ const ACTIONS: Record<string, Action> = {
   '>': 'markOn',
   '<': 'markBack',
   v: 'branch',
+  b: 'change',
   y: 'why',
   k: 'whyOn',
   j: 'whyBack',
@@ -86,6 +88,7 @@ export function actionOf(event: KeyboardEvent): Action | undefined {
 export function belongsElsewhere(event: KeyboardEvent): boolean {
   const target = event.target;
   if (!(target instanceof Element)) return false;
+  if (target instanceof HTMLInputElement && target.type === 'radio') return event.key === ' ' || event.key.startsWith('Arrow');
   if (target.closest('dialog, select, textarea, input')) return true;
   return event.key === ' ' && target.closest('button, summary, a') !== null;
 }
