@@ -183,7 +183,8 @@ fn nearest_box(boxes: &[Option<BoxObstacle>], Pointer { at, reach }: Pointer) ->
         true => 0.0,
         false => carton.edges().iter().map(|edge| edge.distance_to(at)).fold(f64::INFINITY, f64::min),
     };
-    let standing = boxes.iter().enumerate().rev().filter_map(|(index, carton)| Some((index, carton.as_ref()?)));
+    let standing =
+        boxes.iter().enumerate().rev().filter_map(|(index, carton)| Some((index, carton.as_ref()?)));
     let near = standing.map(|(index, carton)| (away(carton), index)).filter(|(away, _)| *away <= reach);
     near.min_by(|(one, _), (other, _)| one.total_cmp(other)).map(|(_, index)| index)
 }

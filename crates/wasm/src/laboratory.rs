@@ -130,7 +130,8 @@ impl Laboratory {
     pub fn alter(&mut self, alteration: &Ts<Alteration>) -> Result<Option<Ts<Objection>>, JsError> {
         let Self { run, views, .. } = self;
         let objection = run.alter(&alteration.to_rust()?, |pixel| {
-            let [at, beside] = [pixel, pixel + DVec2::new(FINGER, 0.0)].map(|p| views.to_metres(View::World, p));
+            let [at, beside] =
+                [pixel, pixel + DVec2::new(FINGER, 0.0)].map(|p| views.to_metres(View::World, p));
             Pointer { at, reach: at.distance(beside) }
         });
         Ok(objection.map(|objection| objection.into_ts()).transpose()?)

@@ -44,7 +44,7 @@ pub use order::Order;
 pub use resumption::{Kept, KnownBuilding};
 pub use setup::{Choices, Opening, Setup};
 pub use status::{
-    BuildingStatus, Changed, DoorStatus, Ending, Happened, Happening, HomingStatus, LastView, Lead, MemoryStatus, Offset, PlacementKind,
-    ReferencePair, SourceKind, Status,
+    BuildingStatus, Changed, DoorStatus, Ending, Happened, Happening, HomingStatus, LastView, Lead,
+    MemoryStatus, Offset, PlacementKind, ReferencePair, SourceKind, Status,
 };
 pub use views::View;

@@ -191,7 +191,7 @@ impl Run {
             idle: self.idle(),
             on_route: self.driver.is_some(),
             collisions: journal.mappers.first().map_or(0, |mapper| mapper.collisions().count()),
-            travelled: length_of(if truth_known { &journal.truth } else { &journal.odometry }),
+            travelled: driven(session, if truth_known { &journal.truth } else { &journal.odometry }),
             pose: pose.map(|Pose { position, heading }| [position.x, position.y, heading]),
             building: building(session),
             memories: memories(session),
@@ -214,10 +214,14 @@ fn building(session: &Session) -> Option<BuildingStatus> {
     })
 }
 
-fn length_of(path: &[Stamped]) -> f64 {
-    path.windows(2)
+/// Metres of a way, but for those over which the robot was carried.
+fn driven(session: &Session, way: &[Stamped]) -> f64 {
+    let carried: Vec<f64> = session.times_carried().collect();
+    way.windows(2)
         .map(|pair| match pair {
-            [from, to] => from.pose.position.distance(to.pose.position),
+            [from, to] if !carried.iter().any(|t| (from.t..to.t).contains(t)) => {
+                from.pose.position.distance(to.pose.position)
+            }
             _ => 0.0,
         })
         .sum()

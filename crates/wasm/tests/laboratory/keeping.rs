@@ -12,11 +12,7 @@ pub(super) fn taken_up(situation: &str, log: Option<Vec<u8>>) -> Result<Laborato
 }
 
 /// The same in a building that is not the usual one.
-pub(super) fn taken_up_in(
-    world: &str,
-    situation: &str,
-    log: Option<Vec<u8>>,
-) -> Result<Laboratory, JsError> {
+pub(super) fn taken_up_in(world: &str, situation: &str, log: Option<Vec<u8>>) -> Result<Laboratory, JsError> {
     let kept = Object::new();
     let known = JSON::parse(r#"[{"file":"cell","text":""}]"#).unwrap();
     Reflect::set(&known.clone().unchecked_into::<Array>().get(0), &"text".into(), &world.into()).unwrap();
