@@ -124,8 +124,8 @@ fn the_robot_is_carried_off_and_does_not_notice() {
     assert_eq!(alter(&mut laboratory, r#"{"kind":"carry_to","room":0}"#), None);
     let pose: Array = told(&laboratory, "pose").unchecked_into();
     assert!(pose.get(0).as_f64().unwrap() < 4.0);
-    let kinds = marks(&mut laboratory).into_iter().map(|(kind, _)| kind);
-    assert_eq!(kinds.filter(|kind| *kind == JsValue::from("kidnapped")).count(), 2);
+    let kinds = marks(&mut laboratory).into_iter().filter_map(|(kind, _)| kind.as_string());
+    assert_eq!(kinds.filter(|kind| kind == "kidnapped").count(), 2);
 }
 
 #[wasm_bindgen_test]
@@ -138,7 +138,7 @@ fn a_route_goes_round_a_door_that_is_shut_also_when_the_run_is_taken_up_again() 
     assert_eq!(told(&again, "on_route"), JsValue::TRUE);
     for laboratory in [&mut laboratory, &mut again] {
         until_idle(laboratory);
-        assert_eq!(number(&laboratory, "collisions"), 0.0);
+        assert_eq!(number(laboratory, "collisions"), 0.0);
         let pose: Array = told(laboratory, "pose").unchecked_into();
         assert!(pose.get(0).as_f64().unwrap() > 6.0, "the other way leads there as well");
     }
