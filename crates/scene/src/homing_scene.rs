@@ -27,7 +27,8 @@ pub(crate) fn times_home(session: &Session) -> Vec<[f64; 2]> {
 }
 
 /// Draws a path of times and places, and its last stretch up to the robot. Where the robot was told to go
-/// home, the way out and the way home each have their colour; before, it is a path of that role.
+/// home, the way out and the way home each have their colour; before, it is a path of that role. Where the
+/// robot was carried, its true path has a gap.
 pub(crate) fn draw_path(
     scene: &mut Scene,
     session: &Session,
@@ -39,9 +40,12 @@ pub(crate) fn draw_path(
     let roles =
         [if times_home.is_empty() { role } else { HomingMark::WayOut.into() }, HomingMark::WayHome.into()];
     let goes_home = session.homing().is_some() && !times_home.is_empty();
+    let carried: Vec<f64> =
+        if role == Role::TruePath { session.times_carried().collect() } else { Vec::new() };
+    let tail = tail.filter(|_| !is_carried(&carried, path.last(), f64::INFINITY));
     let tail = tail.map(|tail| Item::new(roles[usize::from(goes_home)], Shape::Polyline(tail)));
     scene.changing.extend(tail);
-    for (homeward, points) in pieces(path, &times_home) {
+    for (homeward, points) in pieces(path, &times_home, &carried) {
         scene.still.push(Item::new(roles[usize::from(homeward)], Shape::Polyline(points)));
     }
     if !times_home.is_empty() {
@@ -52,14 +56,25 @@ pub(crate) fn draw_path(
     }
 }
 
+/// Whether the robot was carried between two looks, of which the later may be still to come.
+fn is_carried(carried: &[f64], last: Option<&(f64, DVec2)>, to: f64) -> bool {
+    last.is_some_and(|(from, _)| carried.iter().any(|t| (*from..to).contains(t)))
+}
+
 /// Cuts a path of times and places into pieces; `true` marks those on which the robot went home.
-fn pieces(path: &[(f64, DVec2)], times_home: &[[f64; 2]]) -> Vec<(bool, Vec<DVec2>)> {
+fn pieces(path: &[(f64, DVec2)], times_home: &[[f64; 2]], carried: &[f64]) -> Vec<(bool, Vec<DVec2>)> {
     let mut pieces: Vec<(bool, Vec<DVec2>)> = Vec::new();
+    let mut gap = false;
     for pair in path.windows(2) {
         let [(from, start), (to, end)] = [pair[0], pair[1]];
+        if is_carried(carried, pair.first(), to) {
+            gap = true;
+            continue;
+        }
         let homeward = times_home.iter().any(|&[begin, done]| begin <= from && to <= done);
+        let joined = !std::mem::take(&mut gap);
         match pieces.last_mut() {
-            Some((same, points)) if *same == homeward => points.push(end),
+            Some((same, points)) if joined && *same == homeward => points.push(end),
             _ => pieces.push((homeward, vec![start, end])),
         }
     }

@@ -42,6 +42,11 @@ impl Driver {
         self.course.next_command(&mut self.planner, world_from_robot)
     }
 
+    /// Sees what the building is like now that something in it was changed: the next step goes by that.
+    pub fn see(&mut self, world: &World) {
+        self.planner = self.planner.within(world);
+    }
+
     /// Drives the robot of a session until the person has nothing more to say.
     pub fn drive(&mut self, session: &mut Session) {
         while let Some(command) = session.world_from_robot().and_then(|pose| self.next_command(pose)) {

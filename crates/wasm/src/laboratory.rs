@@ -9,6 +9,7 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::{JsError, prelude::wasm_bindgen};
 
 use crate::{
+    alteration::{Alteration, Objection, Pointer},
     canvas::Canvas,
     explanation::StageKind,
     landmarks::Landmark,
@@ -21,6 +22,9 @@ use crate::{
     status::Status,
     views::{View, Views},
 };
+
+/// What is no farther than this from where a person points is meant, pixels of the page.
+const FINGER: f64 = 22.0;
 
 /// The laboratory as the page knows it: a run, and views of it.
 #[wasm_bindgen]
@@ -119,6 +123,20 @@ impl Laboratory {
     /// What is no order, or no strategy.
     pub fn order(&mut self, order: &Ts<Order>) -> Result<(), JsError> {
         Ok(self.run.order(order.to_rust()?)?)
+    }
+
+    /// Changes something in the building, or carries the robot off. What is answered says why nothing was changed.
+    ///
+    /// # Errors
+    /// What is no alteration.
+    pub fn alter(&mut self, alteration: &Ts<Alteration>) -> Result<Option<Ts<Objection>>, JsError> {
+        let Self { run, views, .. } = self;
+        let objection = run.alter(&alteration.to_rust()?, |pixel| {
+            let [at, beside] =
+                [pixel, pixel + DVec2::new(FINGER, 0.0)].map(|p| views.to_metres(View::World, p));
+            Pointer { at, reach: at.distance(beside) }
+        });
+        Ok(objection.map(|objection| objection.into_ts()).transpose()?)
     }
 
     /// Takes back the last thing that a person told the robot; `false` if there is none.

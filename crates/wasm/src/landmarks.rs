@@ -64,17 +64,19 @@ impl Landmarks {
         self.noted = self.noted.min(position);
     }
 
-    /// All of them in order, with what the user told the robot.
+    /// All of them in order, with what the user did: an order is marked where it was given, a change where it has
+    /// just happened.
     #[allow(clippy::cast_precision_loss, reason = "no run lasts 2^53 ticks")]
     pub(crate) fn all(&self, session: &Session) -> Vec<Landmark> {
         let told = session.record().commands().iter().filter_map(|timed| {
-            let what = match timed.command {
-                Command::GoHome { .. } => Happening::ToldHome,
-                Command::Kidnap { .. } => Happening::Kidnapped,
-                Command::Change(_) => Happening::WorldChanged,
+            let happened = (timed.tick + 1).min(session.end());
+            let (position, what) = match &timed.command {
+                Command::GoHome { .. } => (timed.tick, Happening::ToldHome),
+                Command::Kidnap { .. } => (happened, Happening::Kidnapped),
+                Command::Change(change) => (happened, Happening::WorldChanged { change: change.into() }),
                 _ => return None,
             };
-            Some(Landmark { position: timed.tick, t: timed.tick as f64 * TICK, what })
+            Some(Landmark { position, t: position as f64 * TICK, what })
         });
         let mut all: Vec<Landmark> = told.chain(self.in_mind.iter().copied()).collect();
         all.sort_by_key(|mark| mark.position);

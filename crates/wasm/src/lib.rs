@@ -9,6 +9,7 @@
 //! Nothing here reads a clock or throws dice, so a session saved on the page replays to the same
 //! bytes anywhere.
 
+mod alteration;
 mod canvas;
 mod courses;
 mod explaining;
@@ -31,6 +32,7 @@ mod stance;
 mod status;
 mod views;
 
+pub use alteration::{Alteration, Objection, Tool};
 pub use explanation::{
     AlongKind, Candidate, Corrected, Explanation, FittingPair, ReferenceReport, StageKind, StageReport,
     Weighed,
@@ -43,7 +45,7 @@ pub use order::Order;
 pub use resumption::{Kept, KnownBuilding};
 pub use setup::{Choices, Opening, Setup};
 pub use status::{
-    Ending, Happened, Happening, HomingStatus, LastView, Lead, MemoryStatus, Offset, PlacementKind,
-    ReferencePair, SourceKind, Status,
+    BuildingStatus, Changed, DoorStatus, Ending, Happened, Happening, HomingStatus, LastView, Lead,
+    MemoryStatus, Offset, PlacementKind, ReferencePair, SourceKind, Status,
 };
 pub use views::View;

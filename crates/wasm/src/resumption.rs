@@ -5,7 +5,7 @@ use cogmap_formats::{
     situation::{self, Situation, SituationFile},
     world,
 };
-use cogmap_simulation::{Driver, Session, Source, World};
+use cogmap_simulation::{Command, Driver, Session, Source, World};
 use serde::Deserialize;
 use tsify::Tsify;
 
@@ -52,24 +52,32 @@ impl Resumption {
     /// One more turn; `false` once everything has happened again.
     pub(crate) fn turn(&mut self, session: &mut Session) -> bool {
         if session.position() < self.until {
-            self.rehearse(session);
+            let changes = self.rehearse(session);
             if session.advance() {
+                if let (true, Some(driver), Some(world)) = (changes, &mut self.driver, session.world()) {
+                    driver.see(world);
+                }
                 return true;
             }
         }
         false
     }
 
-    /// What the driver would do now is held against what was done.
-    fn rehearse(&mut self, session: &Session) {
-        let Some(driver) = &mut self.driver else { return };
+    /// What the driver would do now is held against what was done. Whether the building changes now, which is
+    /// not the driver's doing.
+    fn rehearse(&mut self, session: &Session) -> bool {
+        let Some(driver) = &mut self.driver else { return false };
         let (now, commands) = (session.position(), session.record().commands());
         let due = commands.get(commands.partition_point(|timed| timed.tick < now));
-        let Some(due) = due.filter(|timed| timed.tick == now) else { return };
+        let Some(due) = due.filter(|timed| timed.tick == now) else { return false };
+        if matches!(due.command, Command::Change(_)) {
+            return true;
+        }
         let would = session.world_from_robot().and_then(|pose| driver.next_command(pose));
         if would.as_ref() != Some(&due.command) {
             self.driver = None;
         }
+        false
     }
 }
 

@@ -1,9 +1,10 @@
+mod altering;
 mod deeds;
 mod keeping;
 
 use cogmap_geometry::Pose;
 use cogmap_mapping::MapperSetup;
-use cogmap_simulation::{Driver, Robot, Session, Source, Stamped, TICK};
+use cogmap_simulation::{Door, Driver, Robot, Session, Source, Stamped, TICK};
 
 use crate::{
     courses::Courses,
@@ -12,7 +13,7 @@ use crate::{
     landmarks::{Landmark, Landmarks},
     memories::memories,
     resumption::Resumption,
-    status::{SourceKind, Status},
+    status::{BuildingStatus, DoorStatus, SourceKind, Status},
 };
 
 /// A step that has not led to a view after so many ticks is not waited for any longer.
@@ -190,8 +191,9 @@ impl Run {
             idle: self.idle(),
             on_route: self.driver.is_some(),
             collisions: journal.mappers.first().map_or(0, |mapper| mapper.collisions().count()),
-            travelled: length_of(if truth_known { &journal.truth } else { &journal.odometry }),
+            travelled: driven(session, if truth_known { &journal.truth } else { &journal.odometry }),
             pose: pose.map(|Pose { position, heading }| [position.x, position.y, heading]),
+            building: building(session),
             memories: memories(session),
             homing: homing(session),
             undoable: self.courses.undo.len(),
@@ -201,10 +203,25 @@ impl Run {
     }
 }
 
-fn length_of(path: &[Stamped]) -> f64 {
-    path.windows(2)
+/// What can be changed around the robot.
+fn building(session: &Session) -> Option<BuildingStatus> {
+    let world = session.world()?;
+    let door = |door: &Door| DoorStatus { name: door.name.clone(), open: door.open };
+    Some(BuildingStatus {
+        doors: world.doors.iter().map(door).collect(),
+        boxes: world.boxes.len(),
+        rooms: world.rooms.iter().map(|room| room.name.clone()).collect(),
+    })
+}
+
+/// Metres of a way, but for those over which the robot was carried.
+fn driven(session: &Session, way: &[Stamped]) -> f64 {
+    let carried: Vec<f64> = session.times_carried().collect();
+    way.windows(2)
         .map(|pair| match pair {
-            [from, to] => from.pose.position.distance(to.pose.position),
+            [from, to] if !carried.iter().any(|t| (from.t..to.t).contains(t)) => {
+                from.pose.position.distance(to.pose.position)
+            }
             _ => 0.0,
         })
         .sum()

@@ -1,3 +1,4 @@
+use cogmap_simulation::WorldChange;
 use serde::Serialize;
 use tsify::Tsify;
 
@@ -36,6 +37,8 @@ pub struct Status {
     pub travelled: f64,
     /// Where the robot truly is and where it faces, metres and radians; a log does not say.
     pub pose: Option<[f64; 3]>,
+    /// What can be changed around the robot; a log has no building.
+    pub building: Option<BuildingStatus>,
     /// What each mapper has in mind.
     pub memories: Vec<MemoryStatus>,
     /// How it goes with going home; nothing where that is not what the robot does or did last.
@@ -46,6 +49,26 @@ pub struct Status {
     pub redoable: usize,
     /// How many other futures were left when the run went on otherwise from an earlier moment.
     pub branches: usize,
+}
+
+/// What of a building can be changed, as it is now.
+#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
+pub struct BuildingStatus {
+    /// Its doors.
+    pub doors: Vec<DoorStatus>,
+    /// How many cartons and pieces of furniture stand in it.
+    pub boxes: usize,
+    /// The names of its rooms.
+    pub rooms: Vec<String>,
+}
+
+/// A door as it is now.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Tsify)]
+pub struct DoorStatus {
+    /// What it is called.
+    pub name: String,
+    /// Whether it stands open.
+    pub open: bool,
 }
 
 /// A robot on its way home, or at the end of it.
@@ -161,7 +184,41 @@ pub enum Happening {
     /// The robot was set down elsewhere.
     Kidnapped,
     /// Something was changed around the robot.
-    WorldChanged,
+    WorldChanged {
+        /// What.
+        change: Changed,
+    },
+}
+
+/// What can be changed around a robot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Tsify)]
+#[serde(rename_all = "snake_case")]
+pub enum Changed {
+    /// A door was opened.
+    DoorOpened,
+    /// A door was shut.
+    DoorShut,
+    /// A box was set down.
+    BoxDropped,
+    /// A box was moved.
+    BoxMoved,
+    /// A box was taken away.
+    BoxRemoved,
+    /// Somebody came.
+    SomebodyCame,
+}
+
+impl From<&WorldChange> for Changed {
+    fn from(change: &WorldChange) -> Self {
+        match change {
+            WorldChange::Door { open: true, .. } => Self::DoorOpened,
+            WorldChange::Door { open: false, .. } => Self::DoorShut,
+            WorldChange::AddBox { .. } => Self::BoxDropped,
+            WorldChange::MoveBox { .. } => Self::BoxMoved,
+            WorldChange::RemoveBox { .. } => Self::BoxRemoved,
+            WorldChange::AddPerson(_) => Self::SomebodyCame,
+        }
+    }
 }
 
 /// What a run's readings come from.

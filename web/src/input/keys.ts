@@ -23,6 +23,7 @@ export type Action =
   | 'undo'
   | 'redo'
   | 'branch'
+  | 'change'
   | 'why'
   | 'markOn'
   | 'markBack'
@@ -65,6 +66,7 @@ const ACTIONS: Record<string, Action> = {
   '>': 'markOn',
   '<': 'markBack',
   v: 'branch',
+  b: 'change',
   y: 'why',
   k: 'whyOn',
   j: 'whyBack',
@@ -88,6 +90,7 @@ export function actionOf(event: KeyboardEvent): Action | undefined {
 export function belongsElsewhere(event: KeyboardEvent): boolean {
   const target = event.target;
   if (!(target instanceof Element)) return false;
+  if (target instanceof HTMLInputElement && target.type === 'radio') return event.key === ' ' || event.key.startsWith('Arrow');
   if (target.closest('dialog, select, textarea, input')) return true;
   return event.key === ' ' && target.closest('button, summary, a') !== null;
 }

@@ -6,11 +6,12 @@ import { strings } from '../strings';
 import type { Bench } from '../worker/bench';
 import { GENERATED, type Choice, type FileKind, type KeptSituation, type Notice, type Offer, type Pace, type Saved, type View } from '../worker/protocol';
 import type { Order, Status } from '../wasm/cogmap_wasm';
+import { Changing } from './changing.svelte';
 import { save } from './save';
 import { Showing } from './showing.svelte';
 import { Timeline } from './timeline.svelte';
 import { Why } from './why.svelte';
-import { isCrash, Workshop } from './workshop';
+import { isCrash, reason, Workshop } from './workshop';
 
 /** Speeds to choose from. */
 export const PACES: Pace[] = [1, 2, 4, 8, 16, 32, 'full'];
@@ -67,6 +68,10 @@ export class Lab {
     ...(this.showing.world ? (['world'] as const) : []),
     ...(this.status?.memories.map(({ view }) => view) ?? (['first'] as const)),
   ]);
+
+  /** What was done to the building or the robot just now. */
+  readonly changed = $derived(this.status && this.timeline.done(this.status));
+  readonly changing = new Changing((alteration) => this.bench.alter(alteration));
 
   /** The step that is taken apart. */
   readonly why = new Why({
@@ -290,8 +295,4 @@ export class Lab {
 
 async function brought(file: File): Promise<{ name: string; bytes: Uint8Array<ArrayBuffer> }> {
   return { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
-}
-
-function reason(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
 }

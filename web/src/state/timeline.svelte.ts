@@ -1,4 +1,9 @@
-import type { Landmark } from '../wasm/cogmap_wasm';
+import type { Happening, Landmark, Status } from '../wasm/cogmap_wasm';
+
+/** Seconds of the run for which a word about something stands. */
+export const STANDING = 8;
+/** What is done to the building or the robot, and does not happen in a mind. */
+const DONE: Happening['kind'][] = ['world_changed', 'kidnapped'];
 
 /** What stands on the timeline. */
 export class Timeline {
@@ -7,9 +12,13 @@ export class Timeline {
 
   /** Takes in the marks; they stay as they are where nothing changed, so that the focus does. */
   hear(marks: Landmark[]): void {
-    if (marks.length !== this.marks.flat().length || marks.at(-1)?.position !== this.marks.at(-1)?.[0]?.position) {
-      this.marks = byMoment(marks);
-    }
+    if (JSON.stringify(marks) !== JSON.stringify(this.marks.flat())) this.marks = byMoment(marks);
+  }
+
+  /** What was done to the building or the robot last, if that was not long ago. */
+  done({ position, time }: Status): Happening | undefined {
+    const last = this.marks.flat().findLast((mark) => mark.position <= position && DONE.includes(mark.what.kind));
+    return last && time - last.t <= STANDING ? last.what : undefined;
   }
 
   /** The position of the next mark, or of the one before. */

@@ -45,3 +45,8 @@ export class Workshop {
 export function isCrash(error: unknown): boolean {
   return error instanceof Error && error.name === 'RuntimeError';
 }
+
+/** What an error says. */
+export function reason(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}

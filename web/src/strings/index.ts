@@ -1,3 +1,4 @@
+import { changing } from './changing';
 import { controls } from './controls';
 import { help } from './help';
 import { keeping } from './keeping';
@@ -13,6 +14,7 @@ export const strings = {
 
   ...controls,
   ...seeing,
+  ...changing,
   why,
   ...keeping,
   help,

@@ -1,4 +1,5 @@
 import type { Happening } from '../wasm/cogmap_wasm';
+import { changing } from './changing';
 import { count } from './words';
 
 /** What each mapper is, in a line. */
@@ -102,7 +103,7 @@ export const seeing = {
       case 'kidnapped':
         return 'Picked up and set down elsewhere';
       case 'world_changed':
-        return 'Something in the world was changed';
+        return changing.changed[what.change];
     }
   },
 

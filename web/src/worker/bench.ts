@@ -1,4 +1,4 @@
-import init, { Laboratory, type Layers, type Look, type Order, type StageKind, type Status } from '../wasm/cogmap_wasm';
+import init, { Laboratory, type Alteration, type Layers, type Look, type Objection, type Order, type StageKind, type Status } from '../wasm/cogmap_wasm';
 import { building, chosen } from './choice';
 import { hold } from './lifeline';
 import { Player } from './player';
@@ -116,6 +116,16 @@ export class Bench {
     if (this.player.resuming || !this.laboratory?.reach(x, y)) return;
     this.player.touch();
     this.player.play(true);
+  }
+
+  /** Changes something in the building, or carries the robot off; what is answered says why nothing was changed. */
+  alter(alteration: Alteration): Objection | undefined {
+    if (this.player.resuming) return undefined;
+    this.player.rest();
+    const objection = this.laboratory?.alter(alteration);
+    if (!objection) this.player.touch();
+    this.player.refresh();
+    return objection;
   }
 
   /** Ends the playing of the route; from here on the robot waits for orders. */

@@ -4,14 +4,14 @@ use cogmap_simulation::{Command, Robot, SessionRecord, Source, Strategy, World};
 use super::*;
 use crate::{MemoryOptions, WorldOptions, memory_scene, world_scene};
 
-/// A robot that went round a corner and was told to go home.
-fn session(strategy: &str) -> Session {
+/// A robot that went round a corner.
+fn driven(robot: &str) -> Session {
     let world: World = serde_json::from_str(
         r#"{"format": "cogmap-world/1", "name": "Bend", "start": {"position": [1, 1]},
             "walls": [[[0,0],[9,0],[9,8],[7,8],[7,2],[0,2],[0,0]]]}"#,
     )
     .unwrap();
-    let source = Source::world(world, Robot::named("perfect").unwrap());
+    let source = Source::world(world, Robot::named(robot).unwrap());
     let mappers = vec![MapperSetup::named("consensus").unwrap()];
     let mut session = Session::drive(SessionRecord::new(source, mappers, 1)).unwrap();
     let bend = std::f64::consts::FRAC_PI_2;
@@ -19,6 +19,12 @@ fn session(strategy: &str) -> Session {
         session.command(Command::Step { turn, travel });
         while session.advance() && !session.at_rest() {}
     }
+    session
+}
+
+/// The same robot, told to go home.
+fn session(strategy: &str) -> Session {
+    let mut session = driven("perfect");
     session.command(Command::GoHome { strategy: Strategy::named(strategy).unwrap() });
     session
 }
@@ -117,7 +123,7 @@ fn home_is_drawn_where_the_run_began() {
 fn a_path_is_cut_where_the_robot_was_told_to_go_home() {
     let at = |x: f64| DVec2::new(x, 0.0);
     let path: Vec<_> = (0..5).map(|k| (f64::from(k), at(f64::from(k)))).collect();
-    let cut = pieces(&path, &[[1.0, 3.0]]);
+    let cut = pieces(&path, &[[1.0, 3.0]], &[]);
     assert_eq!(
         cut,
         [
@@ -126,4 +132,25 @@ fn a_path_is_cut_where_the_robot_was_told_to_go_home() {
             (false, vec![at(3.0), at(4.0)]),
         ]
     );
+}
+
+#[test]
+fn a_path_has_a_gap_where_the_robot_was_carried() {
+    let at = |x: f64| DVec2::new(x, 0.0);
+    let path: Vec<_> = (0..5).map(|k| (f64::from(k), at(f64::from(k)))).collect();
+    let cut = pieces(&path, &[], &[1.5]);
+    assert_eq!(cut, [(false, vec![at(0.0), at(1.0)]), (false, vec![at(2.0), at(3.0), at(4.0)])]);
+    let ways = |session: &Session| {
+        let scene = world_scene(session, WorldOptions::default());
+        let items = scene.still.iter().chain(&scene.changing).filter(|item| item.role == Role::TruePath);
+        items.filter(|item| matches!(&item.shape, Shape::Polyline(way) if way.len() > 1)).count()
+    };
+    let mut session = driven("perfect");
+    let before = ways(&session);
+    session.command(Command::Kidnap { position: [1.0, 1.0], heading_deg: 0.0 });
+    session.advance();
+    assert_eq!(ways(&session), before - 1, "no line leads to where it was carried");
+    session.command(Command::Step { turn: 0.0, travel: 1.0 });
+    while session.advance() && !session.at_rest() {}
+    assert_eq!(ways(&session), before + 1, "its way goes on there");
 }

@@ -44,6 +44,13 @@ impl Planner {
         Self { obstacles, lattice, keep, room, patience: PATIENCE }
     }
 
+    /// The same planner in the same building, which was changed meanwhile.
+    pub(super) fn within(&self, world: &World) -> Self {
+        let obstacles = Obstacles::new(&Solids::of(world));
+        let room = vec![f32::NAN; self.lattice.cells()];
+        Self { obstacles, lattice: self.lattice.clone(), keep: self.keep, room, patience: PATIENCE }
+    }
+
     /// The points to pass on the way, the last being `to` itself: only that one where the straight
     /// way is free. An error says what is wrong with `to`.
     pub(crate) fn way(&mut self, from: DVec2, to: DVec2) -> Result<Vec<DVec2>, String> {

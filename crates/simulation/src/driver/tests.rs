@@ -1,9 +1,10 @@
 use cogmap_geometry::normalize_angle;
+use cogmap_mapping::MapperSetup;
 use rand_core::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
 use super::*;
-use crate::{Body, Obstacles, Odometer, Solids, World};
+use crate::{Body, Obstacles, Odometer, SessionRecord, Solids, Source, World, WorldChange};
 
 /// What became of a drive.
 pub(crate) struct Trip {
@@ -115,6 +116,25 @@ fn raw_odometry_is_off_by_10_and_90_degrees_after_90_metres() {
 fn raw_odometry_of_the_perfect_robot_is_the_truth() {
     let [heading, position] = drift("perfect", &[loop_of_90_metres(false), loop_of_environment_b()], 0..2);
     assert!(heading < 1e-6 && position < 1e-6, "{heading} {position}");
+}
+
+#[test]
+fn a_driver_that_sees_a_door_being_shut_takes_the_other_one() {
+    let text = r#"{ "format": "cogmap-world/1", "name": "Rooms", "start": {"position": [1.5, 1.5]},
+        "walls": [[[0,0],[8,0],[8,5],[0,5],[0,0]], [[4,0],[4,1]], [[4,2],[4,3.5]], [[4,4.5],[4,5]]],
+        "doors": [{"name": "south", "hinge": [4,2], "latch": [4,1], "open": true}] }"#;
+    let (world, robot) = (serde_json::from_str::<World>(text).unwrap(), Robot::named("good").unwrap());
+    let target = DVec2::new(6.5, 1.5);
+    let mut driver = Driver::new(&world, &robot, &[target]).unwrap();
+    let mapper = MapperSetup::named("odometry").unwrap();
+    let record = SessionRecord::new(Source::world(world, robot), vec![mapper], 3);
+    let mut session = Session::drive(record).unwrap();
+    session.command(Command::Change(WorldChange::Door { name: "south".to_owned(), open: false }));
+    session.advance();
+    driver.see(session.world().unwrap());
+    driver.drive(&mut session);
+    assert_eq!(session.journal().mappers[0].collisions().count(), 0);
+    assert!(session.world_from_robot().unwrap().position.distance(target) < 0.4);
 }
 
 mod worlds;

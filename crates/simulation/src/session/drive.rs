@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     Body, BoxObstacle, Command, Disc, Laser, Odometer, Problem, Robot, Solids, Surroundings, TICK,
-    TimedCommand, World, WorldChange,
+    TimedCommand, World, WorldChange, world::COORDINATE_MAX,
 };
 
 /// While a step is driven the laser records each so many metres …
@@ -154,6 +154,9 @@ impl Drive {
                 let set_down = Pose::new(*x, *y, heading_deg.to_radians());
                 let around = Surroundings { obstacles: self.stage.obstacles(), people: &self.people };
                 let in_a_box = self.world().boxes.iter().any(|carton| carton.contains(set_down.position));
+                if set_down.position.abs().max_element() > COORDINATE_MAX {
+                    return Some(format!("that is more than {COORDINATE_MAX} m from the origin"));
+                }
                 let free = !in_a_box && self.body.fits(set_down, around);
                 (!free).then(|| "something stands there".to_owned())
             }

@@ -2,7 +2,7 @@ use cogmap_geometry::Pose;
 use cogmap_mapping::perception::Moment;
 
 use super::{Session, drive::Drive, feed::Feed};
-use crate::{BoxObstacle, Disc, Solids, World};
+use crate::{BoxObstacle, Command, Disc, Solids, TICK, World};
 
 /// What only the simulation knows; nothing of it for logs.
 impl Session {
@@ -41,6 +41,15 @@ impl Session {
     #[must_use]
     pub fn world_from_robot(&self) -> Option<Pose> {
         self.driven().map(Drive::world_from_robot)
+    }
+
+    /// When the robot was picked up and set down elsewhere so far, seconds: between the looks before and after
+    /// such a moment it did not drive.
+    #[allow(clippy::cast_precision_loss, reason = "no run lasts 2^53 ticks")]
+    pub fn times_carried(&self) -> impl Iterator<Item = f64> {
+        let so_far = self.record.commands().iter().take_while(|timed| timed.tick < self.position());
+        let carried = so_far.filter(|timed| matches!(timed.command, Command::Kidnap { .. }));
+        carried.map(|timed| timed.tick as f64 * TICK)
     }
 
     /// How the robot was moving when the laser saw what it saw last.

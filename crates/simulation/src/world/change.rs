@@ -48,8 +48,8 @@ pub enum WorldChange {
 
 /// No box is shorter or longer, metres.
 const SIZES: [f64; 2] = [0.01, 100.0];
-/// No box stands farther from the origin, metres.
-const COORDINATE_MAX: f64 = 10_000.0;
+/// Nothing is set down farther from the origin, metres.
+pub(crate) const COORDINATE_MAX: f64 = 10_000.0;
 /// How many boxes may be set down in one run.
 const ADDED_MAX: usize = 1000;
 

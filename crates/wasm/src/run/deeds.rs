@@ -39,6 +39,11 @@ impl Run {
             self.courses.leave(&self.session, self.course());
         }
         self.driver = None;
+        self.enter(command);
+    }
+
+    /// Writes a command down, from which on the run goes on beyond what is recorded.
+    pub(super) fn enter(&mut self, command: Command) {
         self.live = true;
         self.told = true;
         self.session.command(command);
@@ -47,13 +52,14 @@ impl Run {
 
     /// Whether a person is steering right now: what is told then belongs to the same deed.
     fn steers_on(&self) -> bool {
-        let last = self.session.record().commands().last().map(|timed| &timed.command);
+        let told = self.session.record().commands().iter().map(|timed| &timed.command);
+        let last = told.rev().find(|command| !matches!(command, Command::Change(_)));
         let moves =
             matches!(last, Some(Command::Drive { linear, angular }) if *linear != 0.0 || *angular != 0.0);
         moves && self.driver.is_none() && self.session.position() >= self.session.end()
     }
 
-    fn course(&self) -> Course {
+    pub(super) fn course(&self) -> Course {
         let (source, position) = (self.session.record().source.clone().into(), self.session.position());
         Course { source, driver: self.driver.clone().map(Rc::new), live: self.live, position }
     }

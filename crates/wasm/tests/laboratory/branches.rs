@@ -22,7 +22,7 @@ fn nudge(laboratory: &mut Laboratory, ahead: i8, left: i8) {
 }
 
 /// What the timeline marks, each as its kind and its position.
-fn marks(laboratory: &mut Laboratory) -> Vec<(JsValue, JsValue)> {
+pub(super) fn marks(laboratory: &mut Laboratory) -> Vec<(JsValue, JsValue)> {
     let of = |mark: &JsValue, key: &str| Reflect::get(mark, &key.into()).unwrap();
     let marks = laboratory.landmarks().ok().unwrap().into_iter().map(JsValue::from);
     marks.map(|mark| (of(&of(&mark, "what"), "kind"), of(&mark, "position"))).collect()

@@ -8,9 +8,14 @@ use super::{CELL, begin, going_home, log, message, number, of_homing, open, told
 
 /// The run taken up again from what was kept of it.
 pub(super) fn taken_up(situation: &str, log: Option<Vec<u8>>) -> Result<Laboratory, JsError> {
+    taken_up_in(CELL, situation, log)
+}
+
+/// The same in a building that is not the usual one.
+pub(super) fn taken_up_in(world: &str, situation: &str, log: Option<Vec<u8>>) -> Result<Laboratory, JsError> {
     let kept = Object::new();
     let known = JSON::parse(r#"[{"file":"cell","text":""}]"#).unwrap();
-    Reflect::set(&known.clone().unchecked_into::<Array>().get(0), &"text".into(), &CELL.into()).unwrap();
+    Reflect::set(&known.clone().unchecked_into::<Array>().get(0), &"text".into(), &world.into()).unwrap();
     for (key, value) in [("name", "it".into()), ("situation", situation.into()), ("buildings", known)] {
         Reflect::set(&kept, &key.into(), &value).unwrap();
     }

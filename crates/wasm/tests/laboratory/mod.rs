@@ -1,6 +1,7 @@
 //! The laboratory as the page uses it.
 
 mod branches;
+mod changing;
 mod driving;
 mod files;
 mod homing;

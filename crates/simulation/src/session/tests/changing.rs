@@ -97,6 +97,8 @@ fn nothing_is_set_down_on_the_robot_or_on_somebody() {
     assert!(session.refusal(&shut("east")).unwrap().contains("south, north"));
     let upon_somebody = Command::Kidnap { position: [6.0, 1.2], heading_deg: 0.0 };
     assert!(session.refusal(&upon_somebody).is_some());
+    let far = Command::Kidnap { position: [1e300, 0.0], heading_deg: 0.0 };
+    assert!(session.refusal(&far).unwrap().contains("from the origin"));
     for refused in [drop(1.5, 1.5), shut("east"), upon_somebody] {
         session.command(refused);
         session.advance();

@@ -1,0 +1,60 @@
+import type { Changed, Objection } from '../wasm/cogmap_wasm';
+
+/** What is changed in a building while the robot is in it. */
+export const changing = {
+  changing: {
+    open: 'Change',
+    openHint: 'Change the building while the robot is in it: doors, boxes, where the robot stands (B)',
+    ofLog: 'A recorded log has no building that could be changed',
+    title: 'Change the building',
+    close: 'Close',
+    toolsTitle: 'What to change',
+    tools: { door: 'Door', drop: 'Drop a box', remove: 'Take away', carry: 'Carry off' },
+    hints: {
+      door: 'Click a door to shut or open it.',
+      drop: 'Click where a box is to stand.',
+      remove: 'Click the box or the furniture to take away.',
+      carry: 'Click where to set the robot down. Its odometry will not notice.',
+    },
+    noDoors: 'This building has no doors.',
+    noBoxes: 'Nothing stands here that could be taken away.',
+    which: 'Which door',
+    door: (name: string, open: boolean) => `${name} (${open ? 'open' : 'shut'})`,
+    swing: (open: boolean) => (open ? 'Shut it' : 'Open it'),
+    ahead: '1 m ahead',
+    aheadHint: 'Drop it 1 m ahead of the robot',
+    nearest: 'The nearest',
+    nearestHint: 'Take away what is nearest to the robot',
+    where: 'Where to',
+    start: 'Where it began',
+    setDown: 'Set it down',
+    objection: (objection: Objection) => {
+      switch (objection.kind) {
+        case 'no_building':
+          return 'A recorded log has no building that could be changed.';
+        case 'no_door':
+          return 'There is no door there.';
+        case 'no_box':
+          return 'Nothing stands there that could be taken away.';
+        case 'no_place':
+          return 'No place in that room is free.';
+        case 'drop':
+          return `No box was dropped: ${objection.reason}.`;
+        case 'door':
+          return `The door “${objection.name}” stays as it is: ${objection.reason}.`;
+        case 'carry':
+          return `The robot stays where it is: ${objection.reason}.`;
+      }
+    },
+  },
+
+  /** What was changed around the robot. */
+  changed: {
+    door_opened: 'A door was opened',
+    door_shut: 'A door was shut',
+    box_dropped: 'A box was set down',
+    box_moved: 'A box was moved',
+    box_removed: 'A box was taken away',
+    somebody_came: 'Somebody came',
+  } satisfies Record<Changed, string>,
+} as const;
