@@ -65,10 +65,9 @@ fn a_page_can_look_anywhere() {
     laboratory.zoom(1e300, &ts(r#""first""#), Some(1.0), Some(f64::NAN)).ok().unwrap();
     laboratory.fit();
     laboratory.close(&ts(r#""fourth""#)).ok().unwrap();
-    laboratory
-        .show(&ts(r#"{"colours":"asr","exits":true,"network":true,"truth":true,"homing":false}"#))
-        .ok()
-        .unwrap();
+    let layers =
+        r#"{"colours":"asr","exits":true,"network":true,"truth":true,"homing":false,"stance":"robot"}"#;
+    laboratory.show(&ts(layers)).ok().unwrap();
     assert!(laboratory.reach(320.0, 100.0));
     assert!(!laboratory.reach(f64::NAN, 100.0));
     laboratory.jump(-1.0);
