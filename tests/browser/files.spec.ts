@@ -14,6 +14,7 @@ test('mapping a log can be cancelled, and the run before it is still there', asy
   const bench = new BenchPage(page);
   await bench.open();
   await page.keyboard.press('Space');
+  await expect(page.getByRole('button', { name: 'Play' })).toBeEnabled();
   const before = await bench.memory.innerText();
   await bench.drop({ name: 'room.log', content: roomLog(75) });
   await expect(page.getByRole('heading', { name: 'The log by its odometry alone' })).toBeVisible();
