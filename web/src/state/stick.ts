@@ -21,6 +21,7 @@ export class Stick {
     this.wanted = pushed ? { ahead: stepped(ahead), left: stepped(left) } : { ahead: 0, left: 0 };
     if (pushed && this.pause !== undefined) return;
     clearTimeout(this.pause);
+    this.pause = undefined;
     this.tell();
   }
 

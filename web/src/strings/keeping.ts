@@ -16,7 +16,7 @@ export const keeping = {
       hint: 'surfaces, exits, local spaces and the path, as JSON',
     },
     table: { name: 'Table', hint: 'where the robot was and where it believed to be, view by view, as CSV' },
-    everything: { name: 'Everything', hint: 'all of these, trajectories (TUM) and pose graphs (g2o), in a ZIP archive' },
+    everything: { name: 'Everything', hint: 'session, maps, drawing, table, trajectories (TUM) and pose graphs (g2o), in a ZIP archive' },
     drop: 'Drop it here',
     dropHint: 'A recorded log (CARMEN, gzipped or not), a session or a world',
     reading: (name: string) => `Reading ${name}…`,

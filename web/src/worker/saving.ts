@@ -6,7 +6,7 @@ export function asText(laboratory: Laboratory, ending: string, type: string, tex
   return { name: `${laboratory.status().stem}.${ending}`, blob: new Blob([text], { type }) };
 }
 
-/** Every file that the command line keeps of a run, with the drawing and the table, in one archive. */
+/** Every text file of a run, with the drawing and the table, in one archive. */
 export async function archive(laboratory: Laboratory, drawing: Saved): Promise<Saved> {
   const { strToU8, zipSync } = await import('fflate');
   const { stem } = laboratory.status();

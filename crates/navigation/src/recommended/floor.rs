@@ -12,7 +12,7 @@ const MOST: i8 = 5;
 /// How often a place is seen free on the whole before a remembered wall there is given up.
 const LOOKED_THROUGH: i8 = -3;
 /// The sine of the angle up to which a beam grazes a wall: 20°.
-const GRAZING: f64 = 0.34;
+pub(super) const GRAZING: f64 = 0.34;
 /// Occupied cells within this many of a cell are counted there: 0.4 m.
 pub(super) const CROWD: i32 = 4;
 /// Seen again after so many decisions, something counts as met again.

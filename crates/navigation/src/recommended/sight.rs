@@ -3,12 +3,12 @@ use std::iter;
 use cogmap_geometry::{DVec2, Pose};
 use cogmap_mapping::perception::{Reading, Scan};
 
+use super::floor::GRAZING;
 use crate::{Anchored, Atlas, Belief};
 
-/// A beam's end is torn from its neighbour's if it lies farther from it than this, metres, …
+/// A beam's end is torn from its neighbour's if it lies farther from it than this, metres, and than the ends lie
+/// apart on a wall that the beams graze.
 const TORN: f64 = 0.1;
-/// … and than the ends lie apart on a wall that the beams meet at this sine: 20°.
-const GRAZING: f64 = 0.34;
 
 /// A scan that is kept: in the place where it was taken, so that it comes along when the robot learns how
 /// that place lies to another.

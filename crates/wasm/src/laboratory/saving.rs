@@ -51,7 +51,7 @@ impl Laboratory {
         Ok(self.drawn(look.to_rust()?))
     }
 
-    /// Every file that the command line keeps of a run, and the table.
+    /// The text files that the command line keeps of a run, and the table.
     ///
     /// # Errors
     /// None that a page could cause.
