@@ -9,7 +9,7 @@ const SEED: u64 = 6;
 /// So many moments of the way home are kept, at most.
 const KEPT: usize = 100;
 /// A way home takes no more ticks than this.
-const TICKS: u64 = 50_000;
+pub(crate) const TICKS: u64 = 50_000;
 
 /// Moments of a way home, each a tick before a decision.
 pub(crate) struct WayHome {
@@ -70,7 +70,7 @@ impl WayHome {
 }
 
 /// The bad robot at the end of its way out, told to go home.
-fn at_the_command(episode: &Episode) -> Option<Session> {
+pub(crate) fn at_the_command(episode: &Episode) -> Option<Session> {
     let robot = Robot::named("bad")?;
     let mut driver = Driver::new(&episode.world, &robot, &episode.route).ok()?;
     let mappers = vec![MapperSetup::named("consensus")?];

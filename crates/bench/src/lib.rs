@@ -13,6 +13,8 @@ mod office;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod race;
 mod robot;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod thinking;
 
 use contest::Contest;
 use homing::WayHome;

@@ -67,6 +67,11 @@ impl Spot {
         self.marks & (TRAVELLED | SEEN_FREE) != 0
     }
 
+    /// Whether another beam that passes would tell nothing new.
+    fn is_plainly_free(self) -> bool {
+        self.evidence == LOOKED_THROUGH && self.marks & (SEEN_FREE | WALL) == SEEN_FREE
+    }
+
     /// Occupied cells within [`CROWD`].
     pub(super) fn crowd(self) -> u8 {
         self.crowd
@@ -187,7 +192,7 @@ impl Floor {
     fn pass(&mut self, cell: Cell, beam: DVec2) {
         let scan = self.scan;
         let spot = self.spots.get(cell);
-        if spot.scan == scan || !spot.is_crossed_by(beam) {
+        if spot.is_plainly_free() || spot.scan == scan || !spot.is_crossed_by(beam) {
             return;
         }
         self.change(cell, |spot| {

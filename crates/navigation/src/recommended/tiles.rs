@@ -4,8 +4,11 @@ use cogmap_geometry::DVec2;
 
 /// The side of a cell, metres.
 pub(super) const CELL: f64 = 0.1;
-/// Cells on the side of a tile.
-const SIDE: i32 = 32;
+/// Cells on a metre.
+const PER_METRE: f64 = 10.0;
+/// Cells on the side of a tile, a power of two.
+const SIDE: i32 = 1 << BITS;
+const BITS: i32 = 5;
 const AREA: usize = (SIDE * SIDE) as usize;
 /// No cell is kept farther from the origin than this, in cells: 3 km.
 const FAR: i32 = 30_000;
@@ -26,7 +29,7 @@ impl Cell {
     /// Rounds down; the compiler's own way calls a function where the processor has no instruction for it.
     #[allow(clippy::cast_possible_truncation, reason = "clamped")]
     fn index(along: f64) -> i32 {
-        let along = (along / CELL).clamp(f64::from(-FAR), f64::from(FAR));
+        let along = (along * PER_METRE).clamp(f64::from(-FAR), f64::from(FAR));
         let toward_zero = along as i32;
         toward_zero - i32::from(along < f64::from(toward_zero))
     }
@@ -69,8 +72,8 @@ impl<T: Copy + Default> Tiles<T> {
     /// Looks at what is known of the cells of a square, `around` cells to each side of its middle.
     pub(super) fn look_around(&self, middle: Cell, around: i32, mut look: impl FnMut(Cell, &T)) {
         let (low, high) = (middle.moved([-around; 2]), middle.moved([around; 2]));
-        for row in low.y.div_euclid(SIDE)..=high.y.div_euclid(SIDE) {
-            for column in low.x.div_euclid(SIDE)..=high.x.div_euclid(SIDE) {
+        for row in low.y >> BITS..=high.y >> BITS {
+            for column in low.x >> BITS..=high.x >> BITS {
                 let Some(tile) = self.slot([column, row]).and_then(|slot| self.tiles[slot].as_ref()) else {
                     continue;
                 };
@@ -128,10 +131,10 @@ impl<T: Copy + Default> Tiles<T> {
     }
 }
 
-#[allow(clippy::cast_sign_loss, reason = "what is left of a Euclidean division is positive")]
+#[allow(clippy::cast_sign_loss, reason = "the lowest bits alone are positive")]
 fn split(cell: Cell) -> ([i32; 2], usize) {
-    let within = cell.y.rem_euclid(SIDE) * SIDE + cell.x.rem_euclid(SIDE);
-    ([cell.x.div_euclid(SIDE), cell.y.div_euclid(SIDE)], within as usize)
+    let within = ((cell.y & (SIDE - 1)) << BITS) | (cell.x & (SIDE - 1));
+    ([cell.x >> BITS, cell.y >> BITS], within as usize)
 }
 
 #[cfg(test)]
