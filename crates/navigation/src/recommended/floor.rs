@@ -84,8 +84,11 @@ impl Spot {
 
     /// Whether a beam in that direction would have met what stands there: one along a wall tells nothing of it.
     fn is_crossed_by(self, beam: DVec2) -> bool {
+        if self.marks & WALL == 0 {
+            return true;
+        }
         let along = DVec2::new(f64::from(self.along[0]), f64::from(self.along[1])) / 127.0;
-        self.marks & WALL == 0 || along.perp_dot(beam).abs() > GRAZING
+        along.perp_dot(beam).abs() > GRAZING
     }
 
     #[allow(clippy::cast_possible_truncation, reason = "a share of 127 fits")]
@@ -128,7 +131,7 @@ impl Floor {
     /// Looks at the occupied cells within [`CROWD`] of a cell.
     pub(super) fn look_around(&self, cell: Cell, mut look: impl FnMut(Cell, Spot)) {
         self.spots.look_around(cell, CROWD, |at, spot| {
-            if spot.is_occupied() && at.distance_squared(cell) <= CROWD * CROWD {
+            if spot.is_occupied() {
                 look(at, *spot);
             }
         });

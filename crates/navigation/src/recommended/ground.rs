@@ -12,7 +12,7 @@ use crate::{Atlas, Belief};
 /// A scan is kept each so many metres or radians …
 const KEPT_EACH: [f64; 2] = [0.25, 0.35];
 /// … and at most so many of them.
-const KEPT: usize = 500;
+const KEPT: usize = 300;
 /// Places have come to lie otherwise when they moved by so much, metres and radians.
 const SHIFT: [f64; 2] = [0.03, 0.01];
 

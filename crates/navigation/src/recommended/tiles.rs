@@ -22,12 +22,14 @@ pub(super) struct Cell {
 
 impl Cell {
     /// The cell that a point lies in.
+    #[inline]
     pub(super) fn at(point: DVec2) -> Self {
         Self { x: Self::index(point.x), y: Self::index(point.y) }
     }
 
     /// Rounds down; the compiler's own way calls a function where the processor has no instruction for it.
     #[allow(clippy::cast_possible_truncation, reason = "clamped")]
+    #[inline]
     fn index(along: f64) -> i32 {
         let along = (along * PER_METRE).clamp(f64::from(-FAR), f64::from(FAR));
         let toward_zero = along as i32;
@@ -35,6 +37,7 @@ impl Cell {
     }
 
     /// Its middle, metres.
+    #[inline]
     pub(super) fn middle(self) -> DVec2 {
         DVec2::new(f64::from(self.x) + 0.5, f64::from(self.y) + 0.5) * CELL
     }
@@ -44,6 +47,7 @@ impl Cell {
     }
 
     /// Squared distance between the middles, in cells.
+    #[inline]
     pub(super) fn distance_squared(self, other: Self) -> i32 {
         let (dx, dy) = (self.x - other.x, self.y - other.y);
         dx * dx + dy * dy
@@ -61,6 +65,7 @@ pub(super) struct Tiles<T> {
 
 impl<T: Copy + Default> Tiles<T> {
     /// What is known of a cell.
+    #[inline]
     pub(super) fn get(&self, cell: Cell) -> T {
         let (tile, within) = split(cell);
         match self.slot(tile).and_then(|slot| self.tiles[slot].as_ref()) {
@@ -69,26 +74,40 @@ impl<T: Copy + Default> Tiles<T> {
         }
     }
 
-    /// Looks at what is known of the cells of a square, `around` cells to each side of its middle.
+    /// Looks at what is known of the cells of a disc, `around` cells to each side of its middle.
+    #[inline]
     pub(super) fn look_around(&self, middle: Cell, around: i32, mut look: impl FnMut(Cell, &T)) {
-        let (low, high) = (middle.moved([-around; 2]), middle.moved([around; 2]));
-        for row in low.y >> BITS..=high.y >> BITS {
-            for column in low.x >> BITS..=high.x >> BITS {
-                let Some(tile) = self.slot([column, row]).and_then(|slot| self.tiles[slot].as_ref()) else {
-                    continue;
-                };
-                let (left, bottom) = (column * SIDE, row * SIDE);
-                let (first, last) = (low.x.max(left), high.x.min(left + SIDE - 1));
-                for y in low.y.max(bottom)..=high.y.min(bottom + SIDE - 1) {
-                    let (_, from) = split(Cell { x: first, y });
-                    let (_, to) = split(Cell { x: last, y });
-                    (first..).zip(&tile[from..=to]).for_each(|(x, known)| look(Cell { x, y }, known));
+        let mut half = 0;
+        for dy in -around..=around {
+            let reach = around * around - dy * dy;
+            while (half + 1) * (half + 1) <= reach {
+                half += 1;
+            }
+            while half * half > reach {
+                half -= 1;
+            }
+            self.look_along(middle.moved([-half, dy]), middle.x + half, &mut look);
+        }
+    }
+
+    /// Looks at what is known of the cells of a row from one to the `last`.
+    #[inline]
+    fn look_along(&self, first: Cell, last: i32, look: &mut impl FnMut(Cell, &T)) {
+        let mut from = first;
+        while from.x <= last {
+            let to = last.min(from.x | (SIDE - 1));
+            let (tile, within) = split(from);
+            if let Some(tile) = self.slot(tile).and_then(|slot| self.tiles[slot].as_ref()) {
+                for (x, known) in (from.x..=to).zip(&tile[within..]) {
+                    look(Cell { x, y: from.y }, known);
                 }
             }
+            from.x = to + 1;
         }
     }
 
     /// What is known of a cell, for writing.
+    #[inline]
     pub(super) fn get_mut(&mut self, cell: Cell) -> &mut T {
         let (tile, within) = split(cell);
         let slot = match self.slot(tile) {
@@ -100,6 +119,7 @@ impl<T: Copy + Default> Tiles<T> {
     }
 
     #[allow(clippy::cast_sign_loss, reason = "both are checked to be positive")]
+    #[inline]
     fn slot(&self, tile: [i32; 2]) -> Option<usize> {
         let [x, y] = [tile[0] - self.low[0], tile[1] - self.low[1]];
         let inside = (0..self.size[0]).contains(&x) && (0..self.size[1]).contains(&y);
@@ -132,6 +152,7 @@ impl<T: Copy + Default> Tiles<T> {
 }
 
 #[allow(clippy::cast_sign_loss, reason = "the lowest bits alone are positive")]
+#[inline]
 fn split(cell: Cell) -> ([i32; 2], usize) {
     let within = ((cell.y & (SIDE - 1)) << BITS) | (cell.x & (SIDE - 1));
     ([cell.x >> BITS, cell.y >> BITS], within as usize)
@@ -169,8 +190,7 @@ mod tests {
                 assert!(met.insert((at.x, at.y), value).is_none(), "no cell twice");
             });
             met.retain(|_, value| *value != 0);
-            let is_near = |at: &i32, of: i32| (at - of).abs() <= 4;
-            let near = cells.into_iter().filter(|((at_x, at_y), _)| is_near(at_x, x) && is_near(at_y, y));
+            let near = cells.into_iter().filter(|((at_x, at_y), _)| (at_x - x).pow(2) + (at_y - y).pow(2) <= 16);
             prop_assert_eq!(met, near.collect());
         }
 
