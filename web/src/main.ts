@@ -1,9 +1,12 @@
 import { mount } from 'svelte';
 import App from './App.svelte';
+import { Address } from './keep/address';
+import { language } from './strings';
 import './styles/tokens.css';
 import './styles/base.css';
 
 const target = document.getElementById('app');
+await language.begin(new Address(location).language);
 if (target) mount(App, { target });
 
 if (import.meta.env.PROD && 'serviceWorker' in navigator) {

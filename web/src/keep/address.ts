@@ -2,7 +2,7 @@ import { strings } from '../strings';
 import { GENERATED, type Choice, type Offer } from '../worker/protocol';
 
 /**
- * What the address asks for: `?embed`, `?world=NAME`, `&number=N` (of a generated building), `&seed=N`.
+ * What the address asks for: `?embed`, `?world=NAME`, `&number=N` (of a generated building), `&seed=N`, `&lang=de`.
  * `?lesson=` is reserved: nothing reads it yet, and nothing complains about it.
  */
 export class Address {
@@ -15,6 +15,11 @@ export class Address {
   /** Whether the page stands in a frame of another one. */
   get embed(): boolean {
     return this.query.has('embed');
+  }
+
+  /** The language that is asked for. */
+  get language(): string | null {
+    return this.query.get('lang');
   }
 
   /** The choice that is asked for, and what there is to say about the parts that cannot be had. */

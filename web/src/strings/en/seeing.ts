@@ -1,6 +1,6 @@
-import type { Happening } from '../wasm/cogmap_wasm';
+import type { Happening } from '../../wasm/cogmap_wasm';
 import { changing } from './changing';
-import { count } from './words';
+import { count, number } from '../words';
 
 /** What each mapper is, in a line. */
 const MAPPERS: Record<string, string> = {
@@ -54,15 +54,15 @@ export const seeing = {
   },
 
   facts: {
-    travelled: (metres: number) => `${metres.toFixed(1)} m driven`,
+    travelled: (metres: number) => `${number(metres, 1)} m driven`,
     collisions: (count: number) => (count === 1 ? '1 bump' : `${count} bumps`),
     memory: ({ surfaces, views, asrs }: { surfaces: number; views: number; asrs: number | undefined }) => [
       `${count(surfaces, 'surface', 'surfaces')} from ${count(views, 'view', 'views')}`,
       ...(asrs === undefined ? [] : [count(asrs, 'local space', 'local spaces')]),
     ],
-    off: (metres: number, degrees: number) => `off by ${metres.toFixed(2)} m, ${Math.round(degrees)}°`,
+    off: (metres: number, degrees: number) => `off by ${number(metres, 2)} m, ${Math.round(degrees)}°`,
     home: (metres: number, believed: number | undefined) =>
-      `home ${metres.toFixed(2)} m away${believed === undefined ? '' : `, it believes ${believed.toFixed(2)} m`}`,
+      `home ${number(metres, 2)} m away${believed === undefined ? '' : `, it believes ${number(believed, 2)} m`}`,
     offHint: 'How far the robot is from where it believes it is',
   },
 

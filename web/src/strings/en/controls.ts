@@ -1,5 +1,5 @@
-import type { HomingStatus } from '../wasm/cogmap_wasm';
-import { moment } from './words';
+import type { HomingStatus } from '../../wasm/cogmap_wasm';
+import { moment, number, whole } from '../words';
 
 /** What each way of going home is, and whose idea. */
 const STRATEGIES: Record<string, string> = {
@@ -22,6 +22,8 @@ export const controls = {
       schematic: 'To show one thing',
       generated: 'Made from a number',
     },
+    /** What a world is called where that is not what its file says. */
+    names: {} as Readonly<Record<string, string>>,
     generated: 'A new building',
     generatedHint: 'An office floor that nobody drew: corridors, rooms, doors and furniture come from its number.',
     building: 'Number',
@@ -44,10 +46,10 @@ export const controls = {
       planning: 'By a plan:',
     },
     ended: ({ ended, distance, believed, why }: HomingStatus) => {
-      const off = `${distance.toFixed(2)} m from where it began`;
+      const off = `${number(distance, 2)} m from where it began`;
       switch (ended) {
         case 'home':
-          return `Home: it stopped by itself ${off}${believed === undefined ? '' : `; it believes ${believed.toFixed(2)} m`}.`;
+          return `Home: it stopped by itself ${off}${believed === undefined ? '' : `; it believes ${number(believed, 2)} m`}.`;
         case 'stuck':
           return `It gave up, ${off}: ${why ?? 'it had seen nothing'}.`;
         case 'stopped':
@@ -60,7 +62,7 @@ export const controls = {
 
   log: {
     mapping: (name: string, done: number, all: number) =>
-      `Mapping ${name}: ${done.toLocaleString('en')} of ${all.toLocaleString('en')} scans`,
+      `Mapping ${name}: ${whole(done)} of ${whole(all)} scans`,
     cancel: 'Cancel',
   },
 
@@ -107,4 +109,5 @@ export const controls = {
   },
 
   theme: { dark: 'Switch to dark', light: 'Switch to light' },
+  language: 'Language',
 } as const;

@@ -1,4 +1,4 @@
-import { moment } from './words';
+import { day, moment, whole } from '../words';
 
 /** What is opened, saved, shared and kept. */
 export const keeping = {
@@ -30,7 +30,7 @@ export const keeping = {
     copied: 'The link to exactly this moment is copied: paste it wherever you like.',
     byHand: 'Your browser does not let the page copy. This is the link to exactly this moment:',
     tooLong: (length: number) =>
-      `This run is too long for a link: it would have ${length.toLocaleString('en')} characters, and many programs cut such a link off. Save the session as a file and send that.`,
+      `This run is too long for a link: it would have ${whole(length)} characters, and many programs cut such a link off. Save the session as a file and send that.`,
     ofLog: 'A recorded log does not fit into a link. Save the session and send it together with the log.',
     saveSession: 'Save session',
     refused: (reason: string) => `The link could not be opened. ${reason}\nThe page shows its usual first scene instead.`,
@@ -42,7 +42,7 @@ export const keeping = {
   kept: {
     name: 'The kept run',
     offer: ({ name, time, when }: { name: string; time: number; when: number }) =>
-      `Go on where you were? ${name}, ${moment(time)} into the run, left ${new Date(when).toLocaleString('en', { dateStyle: 'medium', timeStyle: 'short' })}.`,
+      `Go on where you were? ${name}, ${moment(time)} into the run, left ${day(when)}.`,
     takeUp: 'Go on',
     refused: (reason: string) => `The run that was kept cannot be taken up again. ${reason}`,
     recovered:

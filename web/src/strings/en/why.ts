@@ -1,5 +1,5 @@
-import type { PlacementKind, StageReport } from '../wasm/cogmap_wasm';
-import { count } from './words';
+import type { PlacementKind, StageReport } from '../../wasm/cogmap_wasm';
+import { count, number } from '../words';
 
 /** Why a memory is as it is. */
 export const why = {
@@ -76,7 +76,7 @@ function stageSentence(stage: StageReport, mapper: string): string {
     case 'movement':
       if (stage.corrected) {
         const { turn_deg, travel, before, after, changes } = stage.corrected;
-        return `The robot tried small changes of the measured movement and kept ${changes} that made the views fit better: it turned ${turn_deg.toFixed(1)}° and went ${travel.toFixed(2)} m otherwise than measured. The mean matching error went from ${before.toExponential(1)} to ${after.toExponential(1)}.`;
+        return `The robot tried small changes of the measured movement and kept ${changes} that made the views fit better: it turned ${number(turn_deg, 1)}° and went ${number(travel, 2)} m otherwise than measured. The mean matching error went from ${before.toExponential(1)} to ${after.toExponential(1)}.`;
       }
       return mapper === 'odometry'
         ? 'This mapper takes the movement as the wheels counted it (odometry).'
@@ -84,7 +84,7 @@ function stageSentence(stage: StageReport, mapper: string): string {
     case 'reference': {
       const { known, length, range, incidence_deg, along, crossing, candidates } = stage;
       const won = candidates.length === 1 ? 'There was no other candidate' : `It is the best of ${candidates.length} candidates`;
-      const seen = `seen ${length.toFixed(2)} m long, ${range.toFixed(1)} m away and ${Math.round(incidence_deg)}° from square on`;
+      const seen = `seen ${number(length, 2)} m long, ${number(range, 1)} m away and ${Math.round(incidence_deg)}° from square on`;
       const place = {
         end: 'One of its true ends fixes the place along it.',
         crossing: `Surface ${crossing ?? 0}, which crosses its line, fixes the place along it.`,
@@ -101,7 +101,7 @@ function stageSentence(stage: StageReport, mapper: string): string {
     case 'lost':
       return `${Math.round(100 * stage.contradiction)} % of the beams contradict what was seen just before, and only ${Math.round(100 * stage.matched)} % of the view fits: the robot is lost and begins a map of its own.`;
     case 'found':
-      return `The robot recognised a place that it knew, followed that guess for ${stage.way.toFixed(1)} m, and now goes on in its coordinates.`;
+      return `The robot recognised a place that it knew, followed that guess for ${number(stage.way, 1)} m, and now goes on in its coordinates.`;
     case 'placed': {
       if (stage.surfaces.length === 0) return 'Nothing was new: no surface entered the map (MFIS).';
       const to = stage.reference === undefined ? '' : `, surface ${stage.reference}`;
@@ -113,9 +113,9 @@ function stageSentence(stage: StageReport, mapper: string): string {
       return [stage.known > 0 ? known : '', stage.others > 0 ? others : ''].filter(Boolean).join(' ');
     }
     case 'wideness':
-      return `From left to right it is ${stage.here.toFixed(2)} m wide here. On the way since the last view it was narrowest at ${stage.least.toFixed(2)} m, of ${count(stage.samples, 'measurement', 'measurements')}.`;
+      return `From left to right it is ${number(stage.here, 2)} m wide here. On the way since the last view it was narrowest at ${number(stage.least, 2)} m, of ${count(stage.samples, 'measurement', 'measurements')}.`;
     case 'exit':
-      return `The robot went through exit ${stage.exit}${stage.width === undefined ? '' : `, ${stage.width.toFixed(2)} m wide`}: ${stage.why}.`;
+      return `The robot went through exit ${stage.exit}${stage.width === undefined ? '' : `, ${number(stage.width, 2)} m wide`}: ${stage.why}.`;
     case 'new_asr':
       return `Behind exit ${stage.exit} a new local space (ASR ${stage.asr}) was opened; ${count(stage.moved, 'surface', 'surfaces')} seen through the exit now belong to it.`;
     case 'loop_closed':

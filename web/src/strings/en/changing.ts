@@ -1,4 +1,4 @@
-import type { Changed, Objection } from '../wasm/cogmap_wasm';
+import type { Changed, Objection } from '../../wasm/cogmap_wasm';
 
 /** What is changed in a building while the robot is in it. */
 export const changing = {

@@ -1,0 +1,21 @@
+import { changing } from './changing';
+import { controls } from './controls';
+import { help } from './help';
+import { keeping } from './keeping';
+import { seeing } from './seeing';
+import { why } from './why';
+
+/** Every word on the page, in English: what the other catalogues are written after. */
+export const en = {
+  name: 'Cogmap',
+  title: 'Cogmap: what a robot remembers of a building',
+  preparing: 'Preparing the laboratory…',
+  failed: (reason: string) => `The laboratory could not start: ${reason}`,
+
+  ...controls,
+  ...seeing,
+  ...changing,
+  why,
+  ...keeping,
+  help,
+} as const;
