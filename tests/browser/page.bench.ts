@@ -1,0 +1,171 @@
+import { spawn, spawnSync, type ChildProcess } from 'node:child_process';
+import { readdirSync, readFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import { chromium, test, type Page, type Worker } from '@playwright/test';
+import { BenchPage } from './bench';
+
+/** Surfaces that the memory holds while it is painted. */
+const SURFACES = 5000;
+/** Seconds that frames are counted for. */
+const COUNTED = 10;
+
+const say = (what: string, number: string, bar: string): void => {
+  console.log(`    ${what.padEnd(62)}${number.padStart(10)}   (${bar})`);
+};
+
+const kilobytes = (bytes: number): string => `${(bytes / 1000).toFixed(0)} kB`;
+
+/** What a file takes to come, as servers send it. */
+const packed = (bytes: Buffer): number => gzipSync(bytes, { level: 9 }).length;
+
+test('what has to come before the page can be used, and all that can', async ({ browser }) => {
+  const context = await browser.newContext({ serviceWorkers: 'block' });
+  const page = await context.newPage();
+  const sizes: Promise<[string, number]>[] = [];
+  context.on('response', (response) => {
+    const { pathname } = new URL(response.url());
+    if (/\.(js|wasm)$/.test(pathname)) sizes.push(response.body().then((body) => [pathname, packed(body)]));
+  });
+  await new BenchPage(page).open();
+  const came = await Promise.all(sizes);
+  const sum = (kind: RegExp): number => came.reduce((all, [name, size]) => all + (kind.test(name) ? size : 0), 0);
+  say('JavaScript before the first frame, gzipped', kilobytes(sum(/js$/)), 'with the wasm at most 400 kB');
+  say('wasm before the first frame, gzipped', kilobytes(sum(/wasm$/)), 'with the JavaScript at most 400 kB');
+  // The folder that npm runs this in is `web`.
+  const dist = resolve('dist');
+  const files = readdirSync(dist, { recursive: true, encoding: 'utf8' }).filter((name) => /\.(js|wasm)$/.test(name));
+  const all = files.reduce((bytes, name) => bytes + packed(readFileSync(join(dist, name))), 0);
+  say('all JavaScript and wasm, gzipped', kilobytes(all), 'at most 1500 kB');
+  await context.close();
+});
+
+test('how long the main thread is blocked', async ({ page }) => {
+  await page.addInitScript(() => {
+    const longest = { value: 0 };
+    Object.assign(window, { longest });
+    new PerformanceObserver((list) => {
+      for (const { duration } of list.getEntries()) longest.value = Math.max(longest.value, duration);
+    }).observe({ type: 'longtask', buffered: true });
+  });
+  const bench = new BenchPage(page);
+  await bench.open();
+  const opened = await longest(page);
+  await page.getByLabel('Speed').selectOption('16×');
+  await page.waitForTimeout(3000);
+  await page.getByRole('button', { name: 'Go Home', exact: true }).click();
+  await page.getByRole('button', { name: 'Why?' }).first().click();
+  for (let k = 0; k < 6; k += 1) await page.getByRole('button', { name: 'Next stage' }).click();
+  await page.getByRole('slider', { name: 'Timeline' }).fill('40');
+  await page.getByRole('button', { name: 'transform' }).click();
+  await page.waitForTimeout(3000);
+  say('longest block of the main thread until the first surfaces', `${opened.toFixed(0)} ms`, '0: none over 50 ms');
+  say('… and while everything is used', `${(await longest(page)).toFixed(0)} ms`, '0: none over 50 ms');
+});
+
+const longest = (page: Page): Promise<number> =>
+  page.evaluate(() => (window as unknown as { longest: { value: number } }).longest.value);
+
+test('how long a frame takes to paint', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  await bench.drop({ name: 'jagged.log', content: jaggedLog() });
+  await test.expect.poll(() => bench.surfaces(), { timeout: 120_000 }).toBeGreaterThanOrEqual(SURFACES);
+  await page.getByRole('button', { name: 'Pause' }).click().catch(() => undefined);
+  const worker = page.workers()[0];
+  const box = await page.locator('canvas').last().boundingBox();
+  if (!worker || !box) throw new Error('the page has no worker or no memory');
+  await timeFrames(worker);
+  const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  await page.mouse.move(middle.x, middle.y);
+  await page.mouse.down();
+  for (let k = 0; k < 60; k += 1) await page.mouse.move(middle.x + 2 * k, middle.y + k);
+  await page.mouse.up();
+  say(`painting ${await bench.surfaces()} surfaces while panning`, await frames(worker), '95th percentile at most 8 ms');
+  for (let k = 0; k < 60; k += 1) {
+    await page.mouse.wheel(0, k < 30 ? -60 : 60);
+    await page.waitForTimeout(16);
+  }
+  say('… while zooming', await frames(worker), '95th percentile at most 8 ms');
+});
+
+/** Times what the worker does in each frame. */
+const timeFrames = (worker: Worker): Promise<void> =>
+  worker.evaluate(() => {
+    const times: number[] = [];
+    const next = self.requestAnimationFrame.bind(self);
+    Object.assign(self, {
+      times,
+      requestAnimationFrame: (turn: FrameRequestCallback) =>
+        next((now) => {
+          const begin = performance.now();
+          turn(now);
+          times.push(performance.now() - begin);
+        }),
+    });
+  });
+
+/** The 95th percentile of the frames since it was asked last. */
+async function frames(worker: Worker): Promise<string> {
+  const times = await worker.evaluate(() => (self as unknown as { times: number[] }).times.splice(0));
+  times.sort((a, b) => a - b);
+  return `${(times[Math.floor(0.95 * times.length)] ?? NaN).toFixed(1)} ms`;
+}
+
+test('frames on half a core', async ({ baseURL }) => {
+  if (spawnSync('cpulimit', ['--help']).error) {
+    console.log('    frames on half a core are not counted: cpulimit is missing');
+    return;
+  }
+  const server = await chromium.launchServer({ ...test.info().project.use.launchOptions });
+  const browser = await chromium.connect(server.wsEndpoint());
+  const page = await browser.newPage(baseURL === undefined ? {} : { baseURL });
+  await new BenchPage(page).open();
+  const limit = confine(server.process());
+  await page.waitForTimeout(3000);
+  const shown = await count(page.workers()[0]);
+  say('frames a second that the worker paints, Chromium on half a core', shown.toFixed(0), 'above 30');
+  limit.kill();
+  await browser.close();
+  await server.close();
+});
+
+/** Lets a process and its children have half a core. */
+const confine = (process: ChildProcess): ChildProcess =>
+  spawn('cpulimit', ['--limit', '50', '--include-children', '--pid', String(process.pid)], { stdio: 'ignore' });
+
+/** Frames a second in a worker. */
+async function count(worker: Worker | undefined): Promise<number> {
+  const painted = await worker?.evaluate(
+    (seconds) =>
+      new Promise<number>((done) => {
+        let frames = 0;
+        const next = self.requestAnimationFrame.bind(self);
+        const end = performance.now() + 1000 * seconds;
+        const turn = (): void => {
+          frames += 1;
+          if (performance.now() < end) next(turn);
+          else done(frames);
+        };
+        next(turn);
+      }),
+    COUNTED,
+  );
+  return (painted ?? NaN) / COUNTED;
+}
+
+/** A log whose scans see walls in steps, each elsewhere, so that a memory grows large soon. */
+function jaggedLog(): string {
+  const lines = ['PARAM robot_front_laser_max 20.0 robot 0'];
+  for (let scan = 0; scan < 265; scan += 1) {
+    const ranges = Array.from({ length: 181 }, (_, beam) => {
+      const bearing = ((beam - 90) * Math.PI) / 180;
+      const wall = Math.floor(beam / 10) % 2 === 0 ? 2.4 : 3.2;
+      return (wall / Math.max(Math.abs(Math.sin(bearing)), Math.abs(Math.cos(bearing)))).toFixed(3);
+    });
+    const pose = `${(7 * (scan % 25)).toFixed(2)} ${(7 * Math.floor(scan / 25)).toFixed(2)} 0`;
+    const t = (scan * 0.2).toFixed(2);
+    lines.push(`FLASER 181 ${ranges.join(' ')} ${pose} ${pose} ${t} robot ${t}`);
+  }
+  return `${lines.join('\n')}\n`;
+}
