@@ -92,6 +92,11 @@ impl Body {
         self.patience = PATIENCE;
     }
 
+    /// Its wheels lie otherwise from now on.
+    pub(crate) fn wear(&mut self, errors: OdometryErrors) {
+        self.errors = errors;
+    }
+
     /// Someone sets it down elsewhere, at rest; refused where it does not fit.
     pub fn kidnap<'a>(&mut self, world_from_robot: Pose, around: impl Into<Surroundings<'a>>) {
         if self.fits(world_from_robot, around) {

@@ -143,7 +143,7 @@ fn apply(world: &mut World, change: &WorldChange) {
             }
         }
         WorldChange::AddPerson(person) => world.people.push(person.clone()),
-        WorldChange::RemoveBox { .. } => {}
+        WorldChange::RemoveBox { .. } | WorldChange::Noise(_) => {}
     }
 }
 

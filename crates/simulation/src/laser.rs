@@ -31,6 +31,12 @@ impl Laser {
         Self { params: params.clone(), bias: params.bias * chance::gaussian(rng), sights: rng.next_u64() }
     }
 
+    /// The same laser with so many times its range noise and bias.
+    pub(crate) fn noisier(&self, times: f64) -> Self {
+        let params = LaserParams { noise: self.params.noise * times, ..self.params.clone() };
+        Self { params, bias: self.bias * times, ..*self }
+    }
+
     /// One sweep from where the robot stands, and for each beam the solid that it truly measured;
     /// `None` where it saw nothing, or something between two solids.
     #[must_use]

@@ -57,7 +57,7 @@ pub use session::{
 };
 pub use solids::{Nearest, Obstacles, Solids, Surroundings};
 pub use strategy::Strategy;
-pub use world::{BoxObstacle, Door, Person, Post, Problem, Room, Start, World, WorldChange};
+pub use world::{BoxObstacle, Door, Noise, Person, Post, Problem, Room, Start, World, WorldChange};
 
 /// Seconds of one tick: the time step of the simulation.
 pub const TICK: f64 = 0.02;

@@ -161,6 +161,15 @@ pub struct OdometryErrors {
 }
 
 impl OdometryErrors {
+    /// So many times these errors.
+    #[must_use]
+    pub fn times(&self, times: f64) -> Self {
+        let Self { left_radius, right_radius, axle, slip } = *self;
+        let [left_radius, right_radius, axle, slip] =
+            [left_radius, right_radius, axle, slip].map(|error| error * times);
+        Self { left_radius, right_radius, axle, slip }
+    }
+
     /// The newer robot of §3.1.4: after a loop of 90 m its odometry is off by 10° (median) and 3 m.
     #[must_use]
     pub fn good() -> Self {

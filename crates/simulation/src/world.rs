@@ -6,8 +6,8 @@ mod check;
 mod numbers;
 mod reach;
 
-pub use change::WorldChange;
 pub(crate) use change::{COORDINATE_MAX, ChangingWorld, New};
+pub use change::{Noise, WorldChange};
 pub use check::Problem;
 
 /// A building as its author wrote it down: the content of a `NAME.world.json` file. Metres, and

@@ -1,14 +1,20 @@
 //! What a person changes in a building while a robot is in it, and where.
 
+mod walker;
+
 use cogmap_geometry::{DVec2, Segment};
-use cogmap_simulation::{BoxObstacle, Command, Door, Room, Session, World, WorldChange};
+use cogmap_simulation::{BoxObstacle, Command, Door, Noise, Room, Session, World, WorldChange};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
+
+use walker::walker;
 
 /// Length and width of a carton, metres.
 const CARTON: f64 = 0.4;
 /// A carton that is dropped before the robot lies so far from its middle, metres.
 const AHEAD: f64 = 1.0;
+/// Somebody who comes before the robot comes so far from its middle, metres.
+const PERSON_AHEAD: f64 = 2.0;
 /// A room is searched for a free place at so many points in each direction.
 const PLACES: usize = 24;
 
@@ -24,6 +30,10 @@ pub enum Tool {
     Remove,
     /// Carries the robot off, unseen by its odometry.
     Carry,
+    /// Lets somebody come who walks to and fro.
+    Person,
+    /// Makes the robot's errors larger or smaller; it works on no place.
+    Noise,
 }
 
 /// Something that a person wants changed, in terms that leave the metres to the engine.
@@ -48,6 +58,15 @@ pub enum Alteration {
     DropAhead,
     /// Takes away the carton or piece of furniture that is nearest to the robot.
     RemoveNearest,
+    /// Lets somebody come 2 m ahead of the robot.
+    PersonAhead,
+    /// Makes the robot's errors so many times its own.
+    Noise {
+        /// Those of its odometry.
+        odometry: f64,
+        /// Those of its laser.
+        laser: f64,
+    },
     /// Carries the robot to a room.
     CarryTo {
         /// Which, counted from 0; without one, to where the run began.
@@ -76,6 +95,11 @@ pub enum Objection {
     Door {
         /// Which.
         name: String,
+        /// Why.
+        reason: String,
+    },
+    /// Nobody can come there.
+    Person {
         /// Why.
         reason: String,
     },
@@ -111,6 +135,10 @@ pub(crate) fn command(
             let anywhere = Pointer { at: robot.position, reach: f64::INFINITY };
             nearest_box(session.boxes(), anywhere).map(removed).ok_or(Objection::NoBox)
         }
+        Alteration::PersonAhead => walker(session, robot * DVec2::new(PERSON_AHEAD, 0.0)),
+        Alteration::Noise { odometry, laser } => {
+            Ok(Command::Change(WorldChange::Noise(Noise { odometry, laser })))
+        }
         Alteration::CarryTo { room: None } => Ok(carried(session, world.start.position.into())),
         Alteration::CarryTo { room: Some(room) } => {
             let places = world.rooms.get(room).map(places).unwrap_or_default();
@@ -127,6 +155,8 @@ fn pointed(session: &Session, world: &World, tool: Tool, pointer: Pointer) -> Re
         Tool::Drop => Ok(dropped(pointer.at, 0.0)),
         Tool::Remove => nearest_box(session.boxes(), pointer).map(removed).ok_or(Objection::NoBox),
         Tool::Carry => Ok(carried(session, pointer.at)),
+        Tool::Person => walker(session, pointer.at),
+        Tool::Noise => Ok(Command::Change(WorldChange::Noise(session.noise()))),
     }
 }
 
@@ -135,6 +165,7 @@ pub(crate) fn objection(command: &Command, reason: String) -> Objection {
     match command {
         Command::Change(WorldChange::Door { name, .. }) => Objection::Door { name: name.clone(), reason },
         Command::Change(WorldChange::RemoveBox { .. }) => Objection::NoBox,
+        Command::Change(WorldChange::AddPerson(_)) => Objection::Person { reason },
         Command::Kidnap { .. } => Objection::Carry { reason },
         _ => Objection::Drop { reason },
     }

@@ -211,6 +211,9 @@ fn building(session: &Session) -> Option<BuildingStatus> {
         doors: world.doors.iter().map(door).collect(),
         boxes: world.boxes.len(),
         rooms: world.rooms.iter().map(|room| room.name.clone()).collect(),
+        people: session.people().len(),
+        odometry_noise: session.noise().odometry,
+        laser_noise: session.noise().laser,
     })
 }
 

@@ -60,6 +60,12 @@ pub struct BuildingStatus {
     pub boxes: usize,
     /// The names of its rooms.
     pub rooms: Vec<String>,
+    /// How many people walk in it.
+    pub people: usize,
+    /// How large the robot's odometry errors are, in multiples of its own …
+    pub odometry_noise: f64,
+    /// … and its laser's.
+    pub laser_noise: f64,
 }
 
 /// A door as it is now.
@@ -206,6 +212,8 @@ pub enum Changed {
     BoxRemoved,
     /// Somebody came.
     SomebodyCame,
+    /// The robot's errors were made larger or smaller.
+    NoiseChanged,
 }
 
 impl From<&WorldChange> for Changed {
@@ -217,6 +225,7 @@ impl From<&WorldChange> for Changed {
             WorldChange::MoveBox { .. } => Self::BoxMoved,
             WorldChange::RemoveBox { .. } => Self::BoxRemoved,
             WorldChange::AddPerson(_) => Self::SomebodyCame,
+            WorldChange::Noise(_) => Self::NoiseChanged,
         }
     }
 }

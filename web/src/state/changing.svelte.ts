@@ -1,7 +1,7 @@
 import type { Alteration, Objection, Tool } from '../wasm/cogmap_wasm';
 
 /** What can be done to a building, in the order of the palette. */
-export const TOOLS: Tool[] = ['door', 'drop', 'remove', 'carry'];
+export const TOOLS: Tool[] = ['door', 'drop', 'remove', 'carry', 'person', 'noise'];
 
 /** What a person changes in the building while the robot is in it. */
 export class Changing {
@@ -26,6 +26,7 @@ export class Changing {
 
   /** Uses the tool at a point of the view of the world. */
   point(x: number, y: number): void {
+    if (this.tool === 'noise') return;
     void this.change({ kind: 'at', tool: this.tool, x, y });
   }
 

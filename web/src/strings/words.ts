@@ -17,6 +17,11 @@ export function number(value: number, digits: number): string {
   return format.format(value);
 }
 
+/** A number with no more digits than it needs. */
+export function plain(value: number): string {
+  return value.toLocaleString(locale.tag, { maximumFractionDigits: 2 });
+}
+
 /** A whole number, its thousands set apart. */
 export function whole(value: number): string {
   return value.toLocaleString(locale.tag);

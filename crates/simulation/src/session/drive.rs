@@ -12,7 +12,7 @@ use super::{
     stage::{Bodies, Stage},
 };
 use crate::{
-    Body, BoxObstacle, Command, Disc, Laser, Odometer, Problem, Robot, Solids, Surroundings, TICK,
+    Body, BoxObstacle, Command, Disc, Laser, Noise, Odometer, Problem, Robot, Solids, Surroundings, TICK,
     TimedCommand, World, WorldChange, world::COORDINATE_MAX,
 };
 
@@ -143,6 +143,7 @@ impl Drive {
         let came = self.stage.world().people.iter().skip(self.walkers.len()).map(Walker::new);
         self.walkers.extend(came);
         self.people = self.walkers.iter().map(Walker::disc).collect();
+        self.body.wear(self.robot().odometry.times(self.noise().odometry));
         Ok(changed)
     }
 
@@ -236,6 +237,11 @@ impl Drive {
     /// The boxes by their numbers; `None` where one was taken away.
     pub(super) fn boxes(&self) -> &[Option<BoxObstacle>] {
         self.stage.boxes()
+    }
+
+    /// How large the robot's errors are now, in multiples of its own.
+    pub(super) fn noise(&self) -> Noise {
+        self.stage.noise()
     }
 
     /// How often the building was changed.

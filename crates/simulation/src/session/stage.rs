@@ -3,7 +3,7 @@ use cogmap_mapping::perception::Scan;
 use rand_pcg::Pcg64Mcg;
 
 use crate::{
-    BoxObstacle, Disc, Laser, Obstacles, RayGrid, Robot, Solids, World, WorldChange,
+    BoxObstacle, Disc, Laser, Noise, Obstacles, RayGrid, Robot, Solids, World, WorldChange,
     world::{ChangingWorld, New},
 };
 
@@ -12,6 +12,8 @@ pub(super) struct Stage {
     changing: ChangingWorld,
     robot: Robot,
     laser: Laser,
+    /// The laser with the errors that it has now.
+    eye: Laser,
     solids: Solids,
     obstacles: Obstacles,
     grid: RayGrid,
@@ -29,6 +31,7 @@ impl Stage {
             grid: RayGrid::new(&solids.segments, &solids.discs),
             obstacles: Obstacles::new(&solids),
             solids,
+            eye: laser.noisier(changing.noise.laser),
             changing,
             robot,
             laser,
@@ -45,7 +48,7 @@ impl Stage {
 
     /// One sweep of the laser, and what each beam truly hit.
     pub(super) fn scan(&self, at: Pose, people: &[Disc], rng: &mut Pcg64Mcg) -> (Scan, Vec<Option<u32>>) {
-        self.laser.scan_among((&self.grid, &self.solids.added, people), at, rng)
+        self.eye.scan_among((&self.grid, &self.solids.added, people), at, rng)
     }
 
     pub(super) fn world(&self) -> &World {
@@ -58,6 +61,11 @@ impl Stage {
 
     pub(super) fn robot(&self) -> &Robot {
         &self.robot
+    }
+
+    /// How large the robot's errors are now, in multiples of its own.
+    pub(super) fn noise(&self) -> Noise {
+        self.changing.noise
     }
 
     pub(super) fn solids(&self) -> &Solids {

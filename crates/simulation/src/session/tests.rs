@@ -1,7 +1,7 @@
 use cogmap_mapping::MapperSetup;
 
 use super::*;
-use crate::{Robot, SOMEBODY, Strategy, World, WorldChange};
+use crate::{Noise, Robot, SOMEBODY, Strategy, World, WorldChange};
 
 mod changing;
 mod homing;

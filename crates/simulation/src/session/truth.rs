@@ -2,7 +2,7 @@ use cogmap_geometry::Pose;
 use cogmap_mapping::perception::Moment;
 
 use super::{Session, drive::Drive, feed::Feed};
-use crate::{BoxObstacle, Command, Disc, Solids, TICK, World};
+use crate::{BoxObstacle, Command, Disc, Noise, Solids, TICK, World};
 
 /// What only the simulation knows; nothing of it for logs.
 impl Session {
@@ -29,6 +29,12 @@ impl Session {
     #[must_use]
     pub fn people(&self) -> &[Disc] {
         self.driven().map_or(&[], Drive::people)
+    }
+
+    /// How large the robot's errors are now, in multiples of its own.
+    #[must_use]
+    pub fn noise(&self) -> Noise {
+        self.driven().map(Drive::noise).unwrap_or_default()
     }
 
     /// The building as the laser and the body meet it.

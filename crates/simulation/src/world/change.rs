@@ -44,8 +44,29 @@ pub enum WorldChange {
     },
     /// Lets somebody come who walks to and fro.
     AddPerson(Person),
+    /// Makes the robot's errors larger or smaller from now on.
+    Noise(Noise),
 }
 
+/// How large the errors of a robot's measuring are, in multiples of its own: worn wheels or a smooth floor, a dusty
+/// lens.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Noise {
+    /// Those of its odometry: unequal wheels, wrong axle, slip.
+    pub odometry: f64,
+    /// Those of its laser's ranges: noise and bias.
+    pub laser: f64,
+}
+
+impl Default for Noise {
+    fn default() -> Self {
+        Self { odometry: 1.0, laser: 1.0 }
+    }
+}
+
+/// Errors grow to no more than so many times a robot's own.
+const NOISE_MAX: f64 = 100.0;
 /// No box is shorter or longer, metres.
 const SIZES: [f64; 2] = [0.01, 100.0];
 /// Nothing is set down farther from the origin, metres.
@@ -62,12 +83,14 @@ pub(crate) struct ChangingWorld {
     pub(crate) boxes: Vec<Option<BoxObstacle>>,
     /// How many of them are the world file's.
     pub(crate) from_file: usize,
+    /// What the robot's measuring is like.
+    pub(crate) noise: Noise,
 }
 
 impl ChangingWorld {
     pub(crate) fn new(world: &World) -> Self {
         let boxes: Vec<_> = world.boxes.iter().cloned().map(Some).collect();
-        Self { world: world.clone(), from_file: boxes.len(), boxes }
+        Self { world: world.clone(), from_file: boxes.len(), boxes, noise: Noise::default() }
     }
 
     /// The world after a change, and what it makes stand where it did not; `None` where all is so already.
@@ -103,6 +126,13 @@ impl ChangingWorld {
             WorldChange::AddPerson(person) => {
                 next.world.people.push(walking(person.clone())?);
                 New::Feet(Disc { center: person.path[0].into(), radius: person.radius })
+            }
+            WorldChange::Noise(noise) => {
+                if ![noise.odometry, noise.laser].iter().all(|times| (0.0..=NOISE_MAX).contains(times)) {
+                    return Err(format!("errors are 0 to {NOISE_MAX} times the robot's own"));
+                }
+                next.noise = *noise;
+                New::Nothing
             }
         };
         next.world.boxes = next.boxes.iter().flatten().cloned().collect();
@@ -211,6 +241,7 @@ mod tests {
             (r#"{"what": "remove_box", "index": 9}"#, "no box 9"),
             (r#"{"what": "add_box", "center": [0,0], "size": [0,1]}"#, "0.01 to 100 m"),
             (r#"{"what": "add_box", "center": [1e9,0], "size": [1,1]}"#, "from the origin"),
+            (r#"{"what": "noise", "odometry": -1}"#, "0 to 100 times"),
         ] {
             let error = after(&hall(), change).unwrap_err();
             assert!(error.contains(reason), "{error}");

@@ -26,7 +26,7 @@ export const help = {
     { keys: ['E', 'N', 'P', 'O'], does: 'Ausgänge, Netz, Pläne, Wahrheit zeigen' },
     { keys: ['<', '>'], does: 'zum vorigen, zum nächsten Ereignis' },
     { keys: ['Strg Z', 'Strg Umschalt Z'], does: 'rückgängig machen, was Sie dem Roboter sagten oder änderten, und es wiederholen' },
-    { keys: ['B'], does: 'das Gebäude ändern: Türen, Kisten, wo der Roboter steht' },
+    { keys: ['B'], does: 'das Gebäude ändern: Türen, Kisten, Leute, Fehler, wo der Roboter steht' },
     { keys: ['V'], does: 'hinüber zum anderen Zweig' },
     { keys: ['Y'], does: 'warum? Den letzten Schritt zerlegen' },
     { keys: ['J', 'K'], does: 'vorige, nächste Stufe dieses Schritts' },

@@ -149,3 +149,54 @@ fn somebody_stops_for_a_standing_robot_and_running_into_them_is_the_robots_fault
     session.jump(position);
     assert_eq!(print(&session), before);
 }
+
+#[test]
+fn wheels_that_get_worse_mislead_odometry_from_then_on_and_not_before() {
+    // Of each of two steps, by how much odometry and the truth differ in where it led, metres.
+    let drive = |odometry: Option<f64>| {
+        let mut session = Session::drive(rooms("")).unwrap();
+        let mut off = Vec::new();
+        for _ in 0..2 {
+            let poses = |session: &Session| [session.world_from_robot().unwrap(), session.odom_from_robot()];
+            let before = poses(&session);
+            session.command(Command::Step { turn: 0.0, travel: 0.8 });
+            run_to_rest(&mut session);
+            let after = poses(&session);
+            let [truth, believed] = [0, 1].map(|k| after[k].from_here(before[k]).position);
+            off.push(truth.distance(believed));
+            if let Some(odometry) = odometry {
+                session.command(Command::Change(WorldChange::Noise(Noise { odometry, laser: 1.0 })));
+            }
+        }
+        (session, off)
+    };
+    let ((_, usual), (worn, worse), (_, faultless)) = (drive(None), drive(Some(20.0)), drive(Some(0.0)));
+    assert_eq!([usual[0].to_bits(); 2], [worse[0].to_bits(), faultless[0].to_bits()]);
+    assert!(worse[1] > 5.0 * usual[1], "{usual:?} {worse:?}");
+    assert!(faultless[1] < 1e-9 && usual[1] > 1e-3, "{usual:?} {faultless:?}");
+    assert_eq!(worn.noise().odometry, 20.0);
+    let mut again = Session::drive(worn.record().clone()).unwrap();
+    again.jump(worn.position());
+    assert_eq!(print(&worn), print(&again));
+    assert_eq!(kinds(&worn), ["world_changed"], "the second is the same again");
+}
+
+#[test]
+fn a_laser_that_gets_worse_spreads_what_it_sees() {
+    let mut session = Session::drive(rooms("")).unwrap();
+    let ranges = |session: &Session| session.last_scan().unwrap().ranges.clone();
+    session.command(Command::Step { turn: 0.0, travel: 0.0 });
+    run_to_rest(&mut session);
+    let usual = ranges(&session);
+    session.command(Command::Change(WorldChange::Noise(Noise { odometry: 1.0, laser: 20.0 })));
+    session.command(Command::Step { turn: 0.0, travel: 0.0 });
+    run_to_rest(&mut session);
+    let worse = ranges(&session);
+    let spread = |ranges: &[f64]| {
+        let steps = ranges.windows(3).map(|three| (three[0] - 2.0 * three[1] + three[2]).abs());
+        let mut steps: Vec<f64> = steps.filter(|step| step.is_finite()).collect();
+        steps.sort_by(f64::total_cmp);
+        steps[steps.len() / 2]
+    };
+    assert!(spread(&worse) > 5.0 * spread(&usual), "{} {}", spread(&worse), spread(&usual));
+}
