@@ -62,11 +62,11 @@ export const plots = {
       behind === undefined
         ? `The robot ${asr === 0 ? 'began here' : `came here in view ${step + 1}`}.`
         : `Opened in view ${step + 1}, once the robot had gone through exit ${behind}, ${width(behind).toFixed(2)} m wide.`;
-    const ways = exits.map(({ exit, asr }) => `exit ${exit} to ${asr}`);
+    const ways = exits.map(({ exit, asr }) => `exit ${exit} to space ${asr}`);
     return [
       `${current ? 'The robot is here. ' : ''}${opened}`,
       `${area.toFixed(1)} m² of floor seen, ${count(surfaces, 'surface', 'surfaces')}.`,
-      ways.length === 0 ? 'No way out has been gone through yet.' : `Leads through ${ways.join(', ')}.`,
+      ways.length === 0 ? 'No way out has been gone through yet.' : `Leads through ${ways.join(', through ')}.`,
       ...(merged.length === 0
         ? []
         : [`${merged.length === 1 ? 'Space' : 'Spaces'} ${merged.join(', ')} turned out to be this one: a loop was closed.`]),
