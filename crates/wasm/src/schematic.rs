@@ -92,10 +92,7 @@ pub(crate) fn schematic(
     let (mind, journal) = (session.mappers().get(mapper)?, session.journal().mappers.get(mapper)?);
     let network = mind.network()?;
     let loops = loops(journal, network);
-    let names: Vec<u32> = network.asrs().iter().map(|asr| asr.id.0).collect();
-    let edge = |exit: &Exit| Edge { exit: exit.id.0, between: exit.between.map(|asr| asr.0) };
-    let edges: Vec<Edge> = network.exits().iter().map(edge).collect();
-    let grid = layout::lay_out(&names, &edges);
+    let grid = grid(network);
     let place = |asr: &Asr| {
         let Cell { column, row, .. } = grid.get(&asr.id.0).copied().unwrap_or_default();
         let begun = journal.reports.first().map_or(0.0, |report| report.t);
@@ -130,6 +127,13 @@ pub(crate) fn schematic(
         columns: grid.values().map(|cell| cell.column + 1).max().unwrap_or(0),
         rows: rows(&grid),
     })
+}
+
+fn grid(network: &Network) -> BTreeMap<u32, Cell> {
+    let names: Vec<u32> = network.asrs().iter().map(|asr| asr.id.0).collect();
+    let edge = |exit: &Exit| Edge { exit: exit.id.0, between: exit.between.map(|asr| asr.0) };
+    let edges: Vec<Edge> = network.exits().iter().map(edge).collect();
+    layout::lay_out(&names, &edges)
 }
 
 fn rows(grid: &BTreeMap<u32, Cell>) -> usize {

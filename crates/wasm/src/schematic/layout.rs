@@ -1,4 +1,4 @@
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::{BTreeMap, VecDeque, btree_map::Entry};
 
 /// An exit and the spaces on both sides of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,8 +52,8 @@ impl Forest {
                     [one, other] if other == here => one,
                     _ => continue,
                 };
-                if !self.cells.contains_key(&next) {
-                    self.cells.insert(next, Cell { column, row: 0.0, through: Some(edge.exit) });
+                if let Entry::Vacant(free) = self.cells.entry(next) {
+                    free.insert(Cell { column, row: 0.0, through: Some(edge.exit) });
                     self.children.entry(here).or_default().push(next);
                     open.push_back(next);
                 }

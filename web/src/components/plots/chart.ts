@@ -93,7 +93,7 @@ export class Chart {
   tell(present: number): void {
     this.present = present;
     const left = this.plot.valToPos(present, 'x');
-    this.now.hidden = !Number.isFinite(left) || left < 0 || left > this.plot.over.clientWidth + 1;
+    this.now.hidden = !Number.isFinite(left) || left < 0 || left > this.plot.bbox.width / devicePixelRatio + 1;
     if (!this.now.hidden) this.now.style.translate = `${left}px`;
   }
 
@@ -105,7 +105,8 @@ export class Chart {
   }
 
   resize(): void {
-    this.plot.setSize(this.size());
+    const size = this.size();
+    if (size.width !== this.plot.width || size.height !== this.plot.height) this.plot.setSize(size);
   }
 
   destroy(): void {
