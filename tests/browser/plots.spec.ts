@@ -129,7 +129,7 @@ test('the places stand as a schematic, and each tells its story', async ({ page 
   const story = panel(page).getByRole('status');
   await expect(story).toContainText(/Opened in view \d+, once the robot had gone through exit \d+, \d\.\d\d m wide\./);
   await expect(story).toContainText(/m² of floor seen, \d+ surfaces\./);
-  await expect(story).toContainText(/Leads through exit \d+ to space 0/);
+  await expect(story).toContainText(/Leads to space 0 through exit \d+/);
   const going = panel(page).getByRole('button', { name: /^Go to .*, when it was opened$/ });
   const moment = /Go to ([\d:.]+),/.exec(await going.innerText())?.[1];
   await going.click();

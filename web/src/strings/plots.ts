@@ -53,6 +53,7 @@ export const plots = {
     `Local space ${asr}${behind === undefined ? '' : `, behind exit ${behind}`}${current ? ', where the robot is' : ''}`,
   noPlaces: 'None of these mappers knows what a local space is. Show perceptual or consensus.',
   legend: 'Left is where the robot began; each line leads through an exit, and the number on it is its width in metres.',
+  times: (exits: number) => `${exits} exits`,
   loops: 'A double line closed a loop.',
   choose: 'Choose a place to read its story.',
   /** What is known about a place, sentence by sentence. */
@@ -62,11 +63,14 @@ export const plots = {
       behind === undefined
         ? `The robot ${asr === 0 ? 'began here' : `came here in view ${step + 1}`}.`
         : `Opened in view ${step + 1}, once the robot had gone through exit ${behind}, ${width(behind).toFixed(2)} m wide.`;
-    const ways = exits.map(({ exit, asr }) => `exit ${exit} to space ${asr}`);
+    const ways = [...new Set(exits.map(({ asr }) => asr))].map((to) => {
+      const through = exits.filter(({ asr }) => asr === to).map(({ exit }) => exit);
+      return `to space ${to} through ${through.length === 1 ? 'exit' : 'exits'} ${through.join(', ')}`;
+    });
     return [
       `${current ? 'The robot is here. ' : ''}${opened}`,
       `${area.toFixed(1)} m² of floor seen, ${count(surfaces, 'surface', 'surfaces')}.`,
-      ways.length === 0 ? 'No way out has been gone through yet.' : `Leads through ${ways.join(', through ')}.`,
+      ways.length === 0 ? 'No way out has been gone through yet.' : `Leads ${ways.join('; ')}.`,
       ...(merged.length === 0
         ? []
         : [`${merged.length === 1 ? 'Space' : 'Spaces'} ${merged.join(', ')} turned out to be this one: a loop was closed.`]),
