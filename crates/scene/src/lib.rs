@@ -60,6 +60,7 @@ pub use homing_mark::HomingMark;
 pub use homing_scene::decision_in_force;
 pub use mark::{Anchor, HALO, Mark};
 pub use memory_scene::{MemoryOptions, memory_scene};
+pub use network_scene::loops;
 pub use picture::{Picture, Sheet};
 pub use place_mark::PlaceMark;
 pub use plate::{Panel, Plate};

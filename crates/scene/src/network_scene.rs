@@ -51,8 +51,9 @@ fn item(mark: PlaceMark, shape: Shape) -> Item {
     Item::new(Role::Place(mark), shape)
 }
 
-/// The exits that closed a loop.
-fn loops(journal: &MapperJournal, network: &Network) -> BTreeSet<ExitId> {
+/// The exits that closed a loop, by the names that they have now.
+#[must_use]
+pub fn loops(journal: &MapperJournal, network: &Network) -> BTreeSet<ExitId> {
     let exit = |(_, event): (usize, &Event)| match event {
         Event::LoopClosed { exit, .. } => Some(network.exit(*exit)?.id),
         _ => None,

@@ -1,4 +1,5 @@
 mod looking;
+mod plotting;
 mod saving;
 
 use std::collections::BTreeMap;

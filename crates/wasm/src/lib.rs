@@ -24,12 +24,16 @@ mod look;
 mod memories;
 mod opening;
 mod order;
+mod plots;
 mod resumption;
 mod run;
 mod scenes;
+mod schematic;
 mod setup;
 mod stance;
 mod status;
+#[cfg(test)]
+mod two_rooms;
 mod views;
 
 pub use alteration::{Alteration, Objection, Tool};
@@ -42,7 +46,9 @@ pub use landmarks::Landmark;
 pub use layers::{Colours, Layers};
 pub use look::Look;
 pub use order::Order;
+pub use plots::{Curve, Narrow, OffCurve, Plots, WidenessCurve};
 pub use resumption::{Kept, KnownBuilding};
+pub use schematic::{Neighbour, Schematic, SchematicExit, SchematicPlace};
 pub use setup::{Choices, Opening, Setup};
 pub use status::{
     BuildingStatus, Changed, DoorStatus, Ending, Happened, Happening, HomingStatus, LastView, Lead,

@@ -1,11 +1,10 @@
 //! What the mappers have in mind, in figures and for words.
 
-use cogmap_geometry::{Pose, normalize_angle};
 use cogmap_mapping::{Event, Mapper, MapperSetup, Placement, StepReport};
 use cogmap_simulation::{MapperJournal, Session};
+use cogmap_study::metrics::{Sample, closing};
 
 use crate::{
-    scenes::shared_from_map,
     status::{Happened, Happening, LastView, MemoryStatus, Offset, PlacementKind, ReferencePair},
     views::View,
 };
@@ -34,18 +33,25 @@ fn memory(view: View, setup: &MapperSetup, mapper: &Mapper, journal: &MapperJour
     }
 }
 
-/// How far the robot is from where it believes it is, the two frames meeting at the first view.
+/// How far the robot is from where it believes it is.
 fn offset(session: &Session, mapper: usize) -> Option<Offset> {
-    let world_from_robot = session.world_from_robot()?;
-    let map_from_robot = session.mappers().get(mapper)?.map_from_robot(session.odom_from_robot())?;
-    Some(offset_between(world_from_robot, shared_from_map(session, mapper)? * map_from_robot))
+    let mapper = session.mappers().get(mapper)?;
+    let first = Sample {
+        world_from_robot: session.journal().truth.first()?.pose,
+        map_from_robot: mapper.mfis().place_of(mapper.path().first()?),
+    };
+    let here = Sample {
+        world_from_robot: session.world_from_robot()?,
+        map_from_robot: mapper.map_from_robot(session.odom_from_robot())?,
+    };
+    off(first, here)
 }
 
-fn offset_between(truth: Pose, believed: Pose) -> Offset {
-    Offset {
-        distance: truth.position.distance(believed.position),
-        heading_deg: normalize_angle(truth.heading - believed.heading).abs().to_degrees(),
-    }
+/// How far the robot is from where it believes it is, the frames of map and world meeting at the first view:
+/// as the studies measure it (`gap` and `heading_gap`).
+pub(crate) fn off(first: Sample, here: Sample) -> Option<Offset> {
+    let closing = closing(&[first, here])?;
+    Some(Offset { distance: closing.gap, heading_deg: closing.heading.to_degrees() })
 }
 
 /// The latest event that is worth a word. Of several in one view the last says most: that a loop was

@@ -1,6 +1,7 @@
 mod altering;
 mod deeds;
 mod keeping;
+mod plotting;
 
 use cogmap_geometry::Pose;
 use cogmap_mapping::MapperSetup;
@@ -12,6 +13,7 @@ use crate::{
     homing::homing,
     landmarks::{Landmark, Landmarks},
     memories::memories,
+    plots::Curves,
     resumption::Resumption,
     status::{BuildingStatus, DoorStatus, SourceKind, Status},
 };
@@ -46,6 +48,7 @@ pub(crate) struct Run {
     /// Whether an order was given that no tick has seen yet.
     told: bool,
     landmarks: Landmarks,
+    curves: Curves,
     courses: Courses,
     /// What is still to be gone through again, where a run is taken up at a moment.
     resumption: Option<Resumption>,
@@ -55,8 +58,17 @@ impl Run {
     /// A run that its driver takes along a route; without one the robot waits for orders.
     pub(crate) fn new(session: Session, label: Label, driver: Option<Driver>) -> Self {
         let live = driver.is_some();
-        let (landmarks, courses) = (Landmarks::default(), Courses::default());
-        Self { session, label, driver, live, told: false, landmarks, courses, resumption: None }
+        Self {
+            session,
+            label,
+            driver,
+            live,
+            told: false,
+            landmarks: Landmarks::default(),
+            curves: Curves::default(),
+            courses: Courses::default(),
+            resumption: None,
+        }
     }
 
     pub(crate) fn label(&self) -> &Label {
@@ -117,6 +129,7 @@ impl Run {
     fn go_to(&mut self, position: u64) {
         if position < self.session.position() {
             self.note_landmarks();
+            self.note_curves();
             self.courses.go_back(&self.session, position);
         }
         self.session.jump(position.min(self.session.end()));
@@ -167,6 +180,7 @@ impl Run {
     pub(crate) fn remap(&mut self, mappers: Vec<MapperSetup>) -> Result<(), Failure> {
         let position = if self.robot().is_some() { self.session.position() } else { 0 };
         self.landmarks = Landmarks::default();
+        self.curves = Curves::default();
         self.session = self.session.remapped(mappers)?;
         self.session.jump(position);
         Ok(())

@@ -7,6 +7,7 @@ import type { Bench } from '../worker/bench';
 import { GENERATED, type Choice, type FileKind, type KeptSituation, type Notice, type Offer, type Pace, type Saved, type View } from '../worker/protocol';
 import type { Order, Status } from '../wasm/cogmap_wasm';
 import { Changing } from './changing.svelte';
+import { Plotting } from './plotting.svelte';
 import { save } from './save';
 import { Showing } from './showing.svelte';
 import { Timeline } from './timeline.svelte';
@@ -72,6 +73,7 @@ export class Lab {
   /** What was done to the building or the robot just now. */
   readonly changed = $derived(this.status && this.timeline.done(this.status));
   readonly changing = new Changing((alteration) => this.bench.alter(alteration));
+  readonly plotting = new Plotting((places) => this.bench.plots(places), () => this.why.view && this.why.close());
 
   /** The step that is taken apart. */
   readonly why = new Why({

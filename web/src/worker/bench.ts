@@ -2,11 +2,9 @@ import init, { Laboratory, type Alteration, type Layers, type Look, type Objecti
 import { building, chosen } from './choice';
 import { hold } from './lifeline';
 import { Player } from './player';
-import type { Brought, Choice, Moment, Notice, Offer, Pace, Resumable, Resumed, Saved, View } from './protocol';
-import { archive, asText } from './saving';
+import type { Brought, Choice, Moment, Notice, Offer, Pace, Plotted, Resumable, Resumed, Saved, View } from './protocol';
+import { archive, drawingOf, mapOf, sessionOf, tableOf } from './saving';
 import { worlds } from './worlds';
-
-const JSON_TYPE = 'application/json';
 
 /** The bench on which the laboratory stands: everything here happens off the page's main thread. */
 export class Bench {
@@ -182,6 +180,11 @@ export class Bench {
     this.player.refresh();
   }
 
+  /** What can be plotted of the run at hand and, for a memory, its places as a schematic. */
+  plots(places: View | undefined): Plotted | undefined {
+    return this.laboratory && { plots: this.laboratory.plots(), schematic: places && this.laboratory.schematic(places) };
+  }
+
   /**
    * Lets the run go on, unseen and as fast as it goes, until nothing is left to happen; whatever else
    * is wanted meanwhile ends it.
@@ -244,25 +247,22 @@ export class Bench {
 
   /** The world and every memory as one drawing. */
   drawing(): Saved {
-    const laboratory = this.mounted();
-    return asText(laboratory, 'svg', 'image/svg+xml', laboratory.drawing(this.player.easel.look));
+    return drawingOf(this.mounted(), this.player.easel.look);
   }
 
   /** The whole session as a file. */
   session(): Saved {
-    return asText(this.mounted(), 'session.json', JSON_TYPE, this.mounted().save_session());
+    return sessionOf(this.mounted());
   }
 
   /** The map of one of the mappers, counted from 0, as a file. */
   map(mapper: number): Saved {
-    const { memories } = this.mounted().status();
-    const kind = memories.length > 1 ? `map.${memories[mapper]?.mapper}` : 'map';
-    return asText(this.mounted(), `${kind}.json`, JSON_TYPE, this.mounted().map_json(mapper));
+    return mapOf(this.mounted(), mapper);
   }
 
   /** Where the robot was and where each mapper believed it to be, as a table. */
   table(): Saved {
-    return asText(this.mounted(), 'csv', 'text/csv', this.mounted().table());
+    return tableOf(this.mounted());
   }
 
   /** Everything that can be saved, in one archive. */

@@ -1,4 +1,4 @@
-import type { Choices, Explanation, Landmark, Status } from '../wasm/cogmap_wasm';
+import type { Choices, Explanation, Landmark, Plots, Schematic, Status } from '../wasm/cogmap_wasm';
 
 export type { Layers, View } from '../wasm/cogmap_wasm';
 
@@ -68,6 +68,13 @@ export interface Notice {
   /** The step that is taken apart, where one is. */
   why: Explanation | undefined;
   pace: Pace;
+}
+
+/** What is plotted of a run. */
+export interface Plotted {
+  plots: Plots;
+  /** The places of the memory that was asked for, if it has any. */
+  schematic: Schematic | undefined;
 }
 
 /** What there is to choose from, and what is chosen at first. */

@@ -43,11 +43,11 @@ impl Run {
     }
 
     /// Writes a command down, from which on the run goes on beyond what is recorded.
-    pub(super) fn enter(&mut self, command: Command) {
+    pub(crate) fn enter(&mut self, command: Command) {
         self.live = true;
         self.told = true;
         self.session.command(command);
-        self.landmarks.forget_after(self.session.position());
+        self.forget_after(self.session.position());
     }
 
     /// Whether a person is steering right now: what is told then belongs to the same deed.
@@ -109,7 +109,7 @@ impl Run {
     fn go_over_to(&mut self, Deed { course, branches }: Deed) {
         let parting = self.session.record().source.parts_from(&course.source).unwrap_or(0);
         if self.session.go_over_to(&course.source) {
-            self.landmarks.forget_after(parting);
+            self.forget_after(parting);
             self.courses.go_over();
             (self.live, self.courses.branches) = (course.live, branches);
             self.driver = course.driver.map(Rc::unwrap_or_clone);

@@ -6,6 +6,7 @@ mod driving;
 mod files;
 mod homing;
 mod keeping;
+mod plots;
 mod same_bytes;
 
 use cogmap_wasm::Laboratory;

@@ -30,6 +30,7 @@ export const help = {
     { keys: ['V'], does: 'over to the other branch' },
     { keys: ['Y'], does: 'why? Take the latest step apart' },
     { keys: ['J', 'K'], does: 'stage before, next stage of that step' },
+    { keys: ['L'], does: 'plots: wideness, errors and surfaces along the run, and the places as a schematic' },
     { keys: ['T'], does: 'light or dark' },
     { keys: ['Esc'], does: 'close what is open, or cancel a log' },
     { keys: ['?'], does: 'this list' },

@@ -2,6 +2,7 @@ import { changing } from './changing';
 import { controls } from './controls';
 import { help } from './help';
 import { keeping } from './keeping';
+import { plots } from './plots';
 import { seeing } from './seeing';
 import { why } from './why';
 
@@ -16,6 +17,7 @@ export const en = {
   ...seeing,
   ...changing,
   why,
+  plots,
   ...keeping,
   help,
 } as const;
