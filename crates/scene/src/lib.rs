@@ -39,6 +39,7 @@ mod network_scene;
 mod palette;
 mod picture;
 mod place_mark;
+mod plan_scene;
 mod plate;
 #[cfg(feature = "png")]
 pub mod png;
@@ -62,6 +63,7 @@ pub use mark::{Anchor, HALO, Mark};
 pub use memory_scene::{MemoryOptions, memory_scene};
 pub use picture::{Picture, Sheet};
 pub use place_mark::PlaceMark;
+pub use plan_scene::plan_scene;
 pub use plate::{Panel, Plate};
 pub use role::Role;
 pub use scene::{Item, LegendEntry, Sample, Scene, Shape};
