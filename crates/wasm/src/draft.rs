@@ -13,9 +13,6 @@ use tsify::Tsify;
 
 pub use faults::{Checked, Fault};
 
-/// A point, metres.
-type Point = [f64; 2];
-
 /// A building that somebody is drawing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Tsify)]
 #[serde(deny_unknown_fields)]
@@ -37,21 +34,21 @@ pub enum Thing {
     /// A wall through all its corners.
     Wall {
         /// Its corners.
-        points: Vec<Point>,
+        points: Vec<[f64; 2]>,
     },
     /// Furniture or a carton.
     Box {
         /// Its middle.
-        center: Point,
+        center: [f64; 2],
         /// Length and width.
-        size: Point,
+        size: [f64; 2],
         /// Direction of its length.
         heading_deg: f64,
     },
     /// A round leg.
     Post {
         /// Its middle.
-        center: Point,
+        center: [f64; 2],
         /// Metres.
         radius: f64,
     },
@@ -60,16 +57,16 @@ pub enum Thing {
         /// How it is called.
         name: String,
         /// The end that stays where it is.
-        hinge: Point,
+        hinge: [f64; 2],
         /// The other end when closed.
-        latch: Point,
+        latch: [f64; 2],
         /// Whether it starts open.
         open: bool,
     },
     /// Somebody who walks to and fro.
     Person {
         /// The path.
-        points: Vec<Point>,
+        points: Vec<[f64; 2]>,
         /// Metres per second.
         speed: f64,
         /// Metres.
@@ -78,7 +75,7 @@ pub enum Thing {
     /// Where the robot begins.
     Start {
         /// Where it stands.
-        position: Point,
+        position: [f64; 2],
         /// Where it looks.
         heading_deg: f64,
     },
@@ -87,14 +84,14 @@ pub enum Thing {
         /// How it is called.
         name: String,
         /// The points to pass.
-        points: Vec<Point>,
+        points: Vec<[f64; 2]>,
     },
     /// A room as people see it.
     Room {
         /// Shown on screen.
         name: String,
         /// Its corners in order.
-        points: Vec<Point>,
+        points: Vec<[f64; 2]>,
     },
 }
 

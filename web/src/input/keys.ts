@@ -24,6 +24,7 @@ export type Action =
   | 'redo'
   | 'branch'
   | 'change'
+  | 'edit'
   | 'why'
   | 'markOn'
   | 'markBack'
@@ -67,6 +68,7 @@ const ACTIONS: Record<string, Action> = {
   '<': 'markBack',
   v: 'branch',
   b: 'change',
+  u: 'edit',
   y: 'why',
   k: 'whyOn',
   j: 'whyBack',

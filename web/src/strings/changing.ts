@@ -48,6 +48,20 @@ export const changing = {
     },
   },
 
+  /** The ways into the editor of buildings, whose own words are loaded with it. */
+  drafts: {
+    open: 'Build',
+    openHint: 'Draw the building, or a new one: walls, boxes, doors, rooms, the start and routes (U)',
+    edit: { name: 'Edit the building', hint: 'the one that the robot is in, as it is now' },
+    blank: { name: 'New building', hint: 'an empty sheet with a start' },
+    ofLog: 'A recorded log has no building that could be edited. Draw a new one instead.',
+    offer: (name: string, when: number) =>
+      `Go on drawing? ${name}, left ${new Date(when).toLocaleString('en', { dateStyle: 'medium', timeStyle: 'short' })}.`,
+    goOn: 'Go on drawing',
+    loading: 'Opening the editor…',
+    notLoaded: 'The editor could not be loaded. Reload the page and try again: nothing is lost.',
+  },
+
   /** What was changed around the robot. */
   changed: {
     door_opened: 'A door was opened',
