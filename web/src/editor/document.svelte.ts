@@ -9,6 +9,8 @@ const BESIDE: [number, number] = [0.5, -0.5];
 /** The building that is drawn: its edits, what of it is selected, and what happened last, in words. */
 export class Document {
   selected = $state<number>();
+  /** Which point of the selected thing is pointed out. */
+  marked = $state<number>();
   /** What happened last, for whoever hears the page. */
   said = $state('');
   /** A thing as it is while it is being moved. */

@@ -40,7 +40,7 @@ class Hands {
   private readonly pointers = new Map<number, Point>();
   private from: Point = [0, 0];
   private does: 'hold' | 'pan' | 'drag' | 'nothing' = 'nothing';
-  private last: { at: Point; time: number } | undefined;
+  private last: { at: Point; time: number; clicks: number } | undefined;
 
   constructor(
     private readonly node: HTMLElement,
@@ -94,9 +94,11 @@ class Hands {
     if (!done) this.uses.cancel();
     else if (does === 'drag') this.uses.drop(at, event);
     else if (event.button === 0 && !this.panning() && this.isStill(at, event)) {
-      const twice = this.last && event.timeStamp - this.last.time < DOUBLE_TIME && apart(this.last.at, at) < DOUBLE_DISTANCE;
-      this.last = twice ? undefined : { at, time: event.timeStamp };
-      this.uses.click(at, event, twice === true);
+      const soon = this.last && event.timeStamp - this.last.time < DOUBLE_TIME && apart(this.last.at, at) < DOUBLE_DISTANCE;
+      const clicks = soon && this.last ? this.last.clicks + 1 : 1;
+      this.last = { at, time: event.timeStamp, clicks };
+      // A third click is the second of somebody who was in doubt.
+      if (clicks <= 2) this.uses.click(at, event, clicks === 2);
     }
   }
 
