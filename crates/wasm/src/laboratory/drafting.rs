@@ -1,5 +1,4 @@
 use cogmap_formats::world;
-use cogmap_geometry::DVec2;
 use cogmap_scene::{Camera, Sheet, plan_scene};
 use serde::Deserialize;
 use tsify::{Ts, Tsify};
@@ -8,7 +7,7 @@ use web_sys::OffscreenCanvasRenderingContext2d;
 
 use super::Laboratory;
 use crate::{
-    canvas::{Canvas, Place},
+    canvas::paint_once,
     draft::{Checked, Draft},
     failure::Failure,
     look::Look,
@@ -78,8 +77,6 @@ impl Laboratory {
         let camera = Some(Camera { center: center.into(), pixels_per_metre });
         let look = look.to_rust()?.into();
         let sheet = Sheet { camera, title: false, legend: false, ..Sheet::new(width, height, look) };
-        let place = Place { corner: DVec2::ZERO, density };
-        let painted = Canvas::default().paint(context, &plan_scene(&world), &sheet, place);
-        Ok(painted.map_err(Failure::from)?)
+        Ok(paint_once(context, &plan_scene(&world), &sheet, density).map_err(Failure::from)?)
     }
 }
