@@ -388,6 +388,35 @@ test('things are moved, turned, abandoned and put back by hand', async ({ page }
   expect((await save(page)).text).toBe(before);
 });
 
+test('what is held is let go when something else is done with it', async ({ page }) => {
+  await open(page, 'New building');
+  await page.keyboard.press('p');
+  await click(page, 0.3, 0.3);
+  await page.keyboard.press('v');
+  await page.keyboard.press('Enter');
+  await expect(said(page)).toHaveText(/^Post 1 taken up/);
+  await page.keyboard.press('Delete');
+  await expect(said(page)).toHaveText('Post 1 deleted.');
+  await press(page, 'ArrowUp', 2);
+  await expect(form(page).getByRole('option')).toHaveText(['nothing', 'Start']);
+  await page.keyboard.press('Control+z');
+  await expect(form(page).getByRole('option')).toHaveText(['nothing', 'Start', 'Post 1']);
+  await form(page).getByRole('combobox').selectOption('Start');
+  await sheet(page).focus();
+  await page.keyboard.press('Delete');
+  await expect(said(page)).toHaveText('Every building needs a start: move it instead.');
+
+  await page.keyboard.press('b');
+  await page.mouse.move(...(await at(page, 0.5, 0.3)));
+  await page.mouse.down();
+  await page.mouse.move(...(await at(page, 0.6, 0.4)));
+  await page.keyboard.press('Escape');
+  await page.mouse.move(...(await at(page, 0.7, 0.5)));
+  await page.mouse.up();
+  await expect(said(page)).toHaveText('Abandoned.');
+  await expect(form(page).getByRole('option')).toHaveText(['nothing', 'Start', 'Post 1']);
+});
+
 test('without snapping a point stays where it was pressed', async ({ page }) => {
   await open(page, 'New building');
   await page.keyboard.press('g');
@@ -416,6 +445,13 @@ test('the sheet is moved and zoomed, and shows everything again', async ({ page 
   await drag(page, [0.5, 0.5], [0.55, 0.6]);
   await page.keyboard.up('Space');
   await expect.poll(bar).not.toBe(near);
+  await page.keyboard.press('0');
+  await expect.poll(bar).toBe(first);
+  await page.mouse.move(...(await at(page, 0.5, 0.5)));
+  await page.mouse.down({ button: 'middle' });
+  await page.mouse.move(...(await at(page, 0.53, 0.57)));
+  await page.mouse.up({ button: 'middle' });
+  await expect.poll(bar).not.toBe(first);
   await page.keyboard.press('0');
   await expect.poll(bar).toBe(first);
   await expect(button(page, 'Undo')).toBeDisabled();
@@ -476,6 +512,22 @@ test.describe('on a telephone', () => {
     for (const [x, y] of [[0.2, 0.2], [0.8, 0.2], [0.8, 0.7]] as const) await page.touchscreen.tap(...(await at(page, x, y)));
     await button(page, 'Done').click();
     await expect(said(page)).toHaveText(/^Wall of 3 corners/);
+
+    const grid = editor(page).locator('svg .grid');
+    const before = await grid.getAttribute('d');
+    const hand = await page.context().newCDPSession(page);
+    const touch = async (type: 'touchStart' | 'touchMove' | 'touchEnd', ...shares: [number, number][]) => {
+      const places = await Promise.all(shares.map((share) => at(page, ...share)));
+      const touchPoints = places.map(([x, y], id) => ({ x, y, id }));
+      await hand.send('Input.dispatchTouchEvent', { type, touchPoints });
+    };
+    await touch('touchStart', [0.4, 0.5]);
+    await touch('touchStart', [0.4, 0.5], [0.6, 0.5]);
+    await touch('touchMove', [0.3, 0.5], [0.7, 0.5]);
+    await touch('touchEnd');
+    await expect.poll(() => grid.getAttribute('d')).not.toBe(before);
+    await expect(said(page), 'two fingers draw nothing').toHaveText(/^Wall of 3 corners/);
+
     for (const control of await editor(page).locator('button:visible, select:visible, input:visible, summary').all()) {
       const box = await control.boundingBox();
       expect(Math.min(box?.width ?? 0, box?.height ?? 0), await control.innerText()).toBeGreaterThanOrEqual(44);

@@ -44,12 +44,14 @@ export class Drawing {
   byKeys = $state(false);
   snapping = $state(true);
   held = $state.raw<Held>();
+  /** Whether what a hand draws along is meant: not after somebody has abandoned it. */
+  private begun = false;
   camera = $state.raw<Camera>({ center: [0, 0], pixels_per_metre: 60, width: 1, height: 1, density: 1 });
 
   constructor(private readonly document: Document) {}
 
   choose(tool: ToolName): void {
-    this.putBack();
+    this.letGo();
     this.pending = [];
     this.aim = undefined;
     this.tool = tool;
@@ -64,6 +66,7 @@ export class Drawing {
 
   /** Takes hold of what is there; `false` if there is nothing to be held. */
   press(pointer: Pointer): boolean {
+    this.begun = true;
     if (this.tool !== 'select') return true;
     this.held = this.grip(pointer.at, this.reach(pointer.touch));
     return this.held !== undefined;
@@ -71,6 +74,7 @@ export class Drawing {
 
   /** Draws what is held, or a line, box or door from where it was pressed. */
   drag(from: Point, pointer: Pointer): void {
+    if (!this.begun) return;
     if (this.held) this.pull(pointer.at, pointer);
     else if (this.tool !== 'select') {
       if (this.twoPoints && this.pending.length === 0) this.pending = [this.snapped(from, pointer).at];
@@ -80,13 +84,13 @@ export class Drawing {
 
   /** Sets down what was drawn. */
   drop(pointer: Pointer): void {
+    if (!this.begun) return;
     if (this.held) this.setDown();
     else if (this.tool !== 'select') this.place(this.snapped(pointer.at, pointer).at, true);
   }
 
   click(pointer: Pointer, twice: boolean): void {
-    this.held = undefined;
-    this.document.preview = undefined;
+    this.letGo();
     if (this.tool === 'select') {
       this.document.select(thingAt(this.document.draft, pointer.at, this.reach(pointer.touch), true));
       this.cursor = onGrid(pointer.at, GRID);
@@ -107,7 +111,8 @@ export class Drawing {
 
   /** What was begun with a hand is not meant: a second finger came. */
   cancel(): void {
-    this.putBack();
+    this.begun = false;
+    this.letGo();
     this.aim = undefined;
     if (this.twoPoints && this.pending.length === 1) this.pending = [];
   }
@@ -143,8 +148,15 @@ export class Drawing {
     else if (this.document.selected === undefined) return false;
     else this.document.selected = undefined;
     this.pending = [];
-    this.putBack();
+    this.begun = false;
+    this.letGo();
     return true;
+  }
+
+  /** Puts back what is held. */
+  letGo(): void {
+    this.held = undefined;
+    this.document.preview = undefined;
   }
 
   /** Takes back the last point of what is being drawn; `false` if nothing is. */
@@ -162,8 +174,7 @@ export class Drawing {
 
   /** Shows everything. */
   fit(): void {
-    const people = this.document.draft.things.flatMap(points);
-    this.camera = fitted(this.camera, people);
+    this.camera = fitted(this.camera, this.document.draft.things.flatMap(points));
   }
 
   /** Selects something and shows it. */
@@ -192,8 +203,9 @@ export class Drawing {
     const { tool } = this;
     if (tool === 'select') return;
     const [first] = this.pending;
-    const closes = first && this.pending.length > 2 && distance(first, at) < SAME && !this.twoPoints;
-    // An outline ends where it began; a wall has a corner there too.
+    const outline = tool === 'wall' || tool === 'room';
+    const closes = outline && first && this.pending.length > 2 && distance(first, at) < SAME;
+    // A room ends where it began; a wall has a corner there too.
     if (!closes || tool === 'wall') this.pending = [...this.pending, at];
     this.cursor = at;
     const [, most] = POINTS[tool];
@@ -261,10 +273,6 @@ export class Drawing {
     if (preview) document.change(preview.index, preview.thing, words.said.moved(document.called(preview.index)));
   }
 
-  private putBack(): void {
-    this.held = undefined;
-    this.document.preview = undefined;
-  }
 }
 
 /** The corner beside one that is pulled, which may want a right angle. */

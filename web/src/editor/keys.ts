@@ -23,6 +23,7 @@ export function onSheet(event: KeyboardEvent, drawing: Drawing, document: Docume
       return true;
     case 'Delete':
     case 'Backspace':
+      drawing.letGo();
       if (!drawing.takeBack()) document.remove();
       return true;
     default:
@@ -43,6 +44,7 @@ function choose(event: KeyboardEvent, drawing: Drawing): boolean {
 export function anywhere(event: KeyboardEvent, drawing: Drawing, document: Document): boolean {
   if (event.key === 'Escape') return drawing.abandon() || true;
   if (!(event.ctrlKey || event.metaKey) || event.altKey) return false;
+  drawing.letGo();
   switch (event.key.toLowerCase()) {
     case 'z':
       if (event.shiftKey) document.redo();
