@@ -457,6 +457,20 @@ test('the sheet is moved and zoomed, and shows everything again', async ({ page 
   await expect(button(page, 'Undo')).toBeDisabled();
 });
 
+test('a world that is dropped on the sheet is drawn there, and what is none has an answer', async ({ page }) => {
+  const bench = await open(page, 'New building');
+  await drawWalls(page);
+  const before = (await save(page)).text;
+  await bench.drop({ name: 'hut.world.json', content: '{"format":"cogmap-world/1","name":"Hut","wals":[]}' });
+  await expect(said(page)).toContainText('did you mean `walls`?');
+  const walledIn = { format: 'cogmap-world/1', name: 'Cell', walls: [[[0, 0], [1, 0]]], start: { position: [0.5, 0.1] } };
+  await bench.drop({ name: 'cell.world.json', content: JSON.stringify(walledIn) });
+  await expect(said(page)).toHaveText(/^Cell is on the sheet\./);
+  await expect(check(page)).toContainText('1 thing to put right first');
+  await page.keyboard.press('Control+z');
+  expect((await save(page)).text).toBe(before);
+});
+
 test('a recorded log has no building to edit, and says so', async ({ page }) => {
   const bench = new BenchPage(page);
   await bench.open();

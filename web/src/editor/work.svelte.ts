@@ -61,6 +61,19 @@ export class Work {
       this.leave();
     });
 
+  /** Puts a world file that somebody brought on the sheet. */
+  async bring(brought: File | undefined): Promise<void> {
+    if (!brought) return;
+    const { document, drawing, engine } = this;
+    try {
+      const draft = await engine.read(await brought.text(), brought.name);
+      document.replace(draft, words.said.over(draft.name));
+      drawing.fit();
+    } catch (error) {
+      document.said = words.refused(error instanceof Error ? error.message : String(error));
+    }
+  }
+
   leave = (): void => {
     this.keep();
     this.lab.editing.leave();
