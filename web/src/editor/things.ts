@@ -40,7 +40,7 @@ export function corners({ center, size, heading_deg }: Of<'box'>): Point[] {
 }
 
 /** Where the leaf of a door ends as it stands. */
-export function leafEnd({ hinge, latch, open }: Of<'door'>): Point {
+function leafEnd({ hinge, latch, open }: Of<'door'>): Point {
   return open ? plus(hinge, turned(minus(latch, hinge), 90)) : latch;
 }
 
