@@ -2,7 +2,7 @@ use std::path::{Path, PathBuf};
 
 use cogmap_formats::{carmen, plan::Plan, session, world};
 use cogmap_geometry::DVec2;
-use cogmap_simulation::{SessionRecord, Source, TICK, World};
+use cogmap_simulation::{Problem, SessionRecord, Source, TICK, World};
 
 use crate::building;
 use crate::failure::Failure;
@@ -38,7 +38,13 @@ pub(crate) fn check(files: &[PathBuf], resolution: Option<f64>) -> Result<(), Fa
 fn describe(path: &Path, resolution: Option<f64>) -> Result<String, Failure> {
     let input = Input::read(path)?;
     match input.kind() {
-        Kind::World => Ok(of_world(&world::read(input.text()?, &input.name)?)),
+        Kind::World => {
+            let world = world::read(input.text()?, &input.name)?;
+            for Problem { place, message } in world.remarks() {
+                terminal::remark(&format!("{}, at `{place}`: {message}", input.name));
+            }
+            Ok(of_world(&world))
+        }
         Kind::Picture => Ok(of_plan(&building::of_picture(&input, path, resolution)?)),
         Kind::MapServer => Ok(of_plan(&building::of_map_server(&input, path)?)),
         Kind::Session => of_session(&input, path),

@@ -24,11 +24,19 @@ pub const WORLD_FORMAT: &str = "cogmap-world/1";
 /// # Errors
 /// [`FormatError`] with the place and the way out.
 pub fn read(text: &str, file: &str) -> Result<World, FormatError> {
+    let world = parse(text, file)?;
+    complain(&Piece::whole(text, file), world.problems())?;
+    Ok(world)
+}
+
+/// Reads a world as it is written, whether or not it can be simulated: for whoever goes on writing it.
+///
+/// # Errors
+/// [`FormatError`] where the text is no world file.
+pub fn parse(text: &str, file: &str) -> Result<World, FormatError> {
     let piece = Piece::whole(text, file);
     piece.expect_format(WORLD_FORMAT)?;
-    let world: World = piece.read()?;
-    complain(&piece, world.problems())?;
-    Ok(world)
+    piece.read()
 }
 
 /// The world as a file, each wall, box and room on a line of its own.

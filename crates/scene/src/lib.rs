@@ -39,6 +39,7 @@ mod network_scene;
 mod palette;
 mod picture;
 mod place_mark;
+mod plan_scene;
 mod plate;
 #[cfg(feature = "png")]
 pub mod png;
@@ -63,6 +64,7 @@ pub use memory_scene::{MemoryOptions, memory_scene};
 pub use network_scene::loops;
 pub use picture::{Picture, Sheet};
 pub use place_mark::PlaceMark;
+pub use plan_scene::plan_scene;
 pub use plate::{Panel, Plate};
 pub use role::Role;
 pub use scene::{Item, LegendEntry, Sample, Scene, Shape};

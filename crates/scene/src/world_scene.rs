@@ -89,7 +89,7 @@ fn words(session: &Session, scans: usize) -> (String, String) {
     }
 }
 
-fn draw_world(scene: &mut Scene, world: &World, options: WorldOptions) {
+pub(crate) fn draw_world(scene: &mut Scene, world: &World, options: WorldOptions) {
     let corners = |room: &Room| room.outline.iter().copied().map(DVec2::from).collect::<Vec<_>>();
     let still = &mut scene.still;
     still.extend(world.rooms.iter().map(|room| Item::new(Role::Room, Shape::Polygon(corners(room)))));
@@ -115,7 +115,7 @@ fn draw_world(scene: &mut Scene, world: &World, options: WorldOptions) {
     }
 }
 
-fn draw_people(scene: &mut Scene, people: &[Disc]) {
+pub(crate) fn draw_people(scene: &mut Scene, people: &[Disc]) {
     let discs = people.iter().map(|person| Shape::Disc(person.center, person.radius));
     scene.changing.extend(discs.map(|disc| Item::new(Role::Person, disc)));
     if !people.is_empty() {

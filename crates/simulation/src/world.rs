@@ -5,6 +5,7 @@ mod change;
 mod check;
 mod numbers;
 mod reach;
+mod remarks;
 
 pub(crate) use change::{COORDINATE_MAX, ChangingWorld, New};
 pub use change::{Noise, WorldChange};

@@ -68,6 +68,26 @@ impl Canvas {
     }
 }
 
+/// Paints a scene over a whole canvas, where nothing of it is worth keeping for the next time.
+///
+/// # Errors
+/// What the browser has against it.
+pub(crate) fn paint_once(
+    context: &Context,
+    scene: &Scene,
+    sheet: &Sheet,
+    density: f64,
+) -> Result<(), JsValue> {
+    let picture = Picture::of(scene, sheet);
+    context.save();
+    context.set_transform(density, 0.0, 0.0, density, 0.0, 0.0)?;
+    context.set_fill_style_str(&picture.paper.css());
+    context.fill_rect(0.0, 0.0, picture.width, picture.height);
+    let painted = draw(context, &picture.marks, density);
+    context.restore();
+    painted
+}
+
 impl Kept {
     fn shows(&self, scene: &Scene, sheet: &Sheet, density: f64) -> bool {
         (self.views, self.density) == (scene.views, density)

@@ -1,3 +1,4 @@
+mod drafting;
 mod looking;
 mod plotting;
 mod saving;

@@ -12,6 +12,7 @@
 mod alteration;
 mod canvas;
 mod courses;
+mod draft;
 mod explaining;
 mod explanation;
 mod failure;
@@ -37,6 +38,7 @@ mod two_rooms;
 mod views;
 
 pub use alteration::{Alteration, Objection, Tool};
+pub use draft::{Checked, Draft, Fault, Thing};
 pub use explanation::{
     AlongKind, Candidate, Corrected, Explanation, FittingPair, ReferenceReport, StageKind, StageReport,
     Weighed,

@@ -25,6 +25,7 @@ export type Action =
   | 'branch'
   | 'change'
   | 'plots'
+  | 'edit'
   | 'why'
   | 'markOn'
   | 'markBack'
@@ -69,6 +70,7 @@ const ACTIONS: Record<string, Action> = {
   v: 'branch',
   b: 'change',
   l: 'plots',
+  u: 'edit',
   y: 'why',
   k: 'whyOn',
   j: 'whyBack',

@@ -7,8 +7,9 @@ import type { Bench } from '../worker/bench';
 import { GENERATED, type Choice, type FileKind, type KeptSituation, type Notice, type Offer, type Pace, type Saved, type View } from '../worker/protocol';
 import type { Order, Status } from '../wasm/cogmap_wasm';
 import { Changing } from './changing.svelte';
+import { Editing } from './editing.svelte';
 import { Plotting } from './plotting.svelte';
-import { save } from './save';
+import { brought, save } from './save';
 import { Showing } from './showing.svelte';
 import { Timeline } from './timeline.svelte';
 import { Why } from './why.svelte';
@@ -87,11 +88,13 @@ export class Lab {
   files: File[] = [];
   readonly sharing = new Sharing(this);
   readonly keeping: Keeping;
+  readonly editing: Editing;
 
   private workshop: Workshop;
 
   constructor(private readonly address: Address) {
     this.keeping = new Keeping(this, !address.embed);
+    this.editing = new Editing(this, () => this.bench, !address.embed);
     this.workshop = new Workshop(this.refurnish);
   }
 
@@ -116,7 +119,7 @@ export class Lab {
       return;
     }
     await this.sharing.openAddress();
-    await this.keeping.begin();
+    await Promise.all([this.keeping.begin(), this.editing.begin()]);
   }
 
   /** What a link to this moment holds. */
@@ -212,7 +215,7 @@ export class Lab {
   }
 
   order(order: Order): void {
-    if (this.status?.source !== 'world') return;
+    if (this.status?.source !== 'world' || this.editing.open) return;
     this.driven = true;
     void this.bench.order(order);
   }
@@ -293,8 +296,4 @@ export class Lab {
     this.playing = playing;
     this.pace = pace;
   }
-}
-
-async function brought(file: File): Promise<{ name: string; bytes: Uint8Array<ArrayBuffer> }> {
-  return { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
 }

@@ -12,3 +12,8 @@ export function save({ name, blob }: Saved): void {
   link.click();
   setTimeout(() => URL.revokeObjectURL(address), PATIENCE);
 }
+
+/** A file with its content. */
+export async function brought(file: File): Promise<{ name: string; bytes: Uint8Array<ArrayBuffer> }> {
+  return { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
+}

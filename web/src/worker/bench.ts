@@ -1,5 +1,5 @@
 import init, { Laboratory, type Alteration, type Layers, type Look, type Objection, type Order, type StageKind, type Status } from '../wasm/cogmap_wasm';
-import { building, chosen } from './choice';
+import { begun, chosen } from './choice';
 import { hold } from './lifeline';
 import { Player } from './player';
 import type { Brought, Choice, Moment, Notice, Offer, Pace, Plotted, Resumable, Resumed, Saved, View } from './protocol';
@@ -46,11 +46,7 @@ export class Bench {
    * `views` views on its way already.
    */
   start(choice: Choice, views = 0): void {
-    const { robot, mappers, seed } = choice;
-    const { file, text } = building(choice);
-    const laboratory = new Laboratory({ world: text, file: `${file}.world.json`, robot, mappers, seed });
-    for (let view = 0; view < views; view += 1) laboratory.advance_to_next_view();
-    this.replace(laboratory);
+    this.replace(begun(choice, views));
     if (views === 0) this.player.touch();
   }
 
@@ -72,6 +68,9 @@ export class Bench {
   situation(): string {
     return this.mounted().situation();
   }
+
+  /** The building as it is now, as a world file; a log has none. */
+  worldFile = (): string | undefined => this.laboratory?.world_file();
 
   /** Opens what somebody brought; the run at hand stays if it cannot be read. */
   open(files: Brought[], choice: Choice): void {

@@ -1,4 +1,4 @@
-import type { Status } from '../wasm/cogmap_wasm';
+import { Laboratory, type Status } from '../wasm/cogmap_wasm';
 import { GENERATED, type Choice } from './protocol';
 import { worlds, type BundledWorld } from './worlds';
 
@@ -10,8 +10,17 @@ export function chosen(building: string | undefined, { robot, seed, memories, fo
   return { world, robot, seed, mappers, ...(number === undefined ? {} : { building: Number(number) }) };
 }
 
+/** A run of a choice, `views` views on its way. */
+export function begun(choice: Choice, views: number): Laboratory {
+  const { robot, mappers, seed } = choice;
+  const { file, text } = building(choice);
+  const laboratory = new Laboratory({ world: text, file: `${file}.world.json`, robot, mappers, seed });
+  for (let view = 0; view < views; view += 1) laboratory.advance_to_next_view();
+  return laboratory;
+}
+
 /** The building of a choice: one that comes with the page, or one that its number makes. */
-export function building({ world, building }: Choice): Pick<BundledWorld, 'file' | 'text'> {
+function building({ world, building }: Choice): Pick<BundledWorld, 'file' | 'text'> {
   if (world === GENERATED) return { file: `${GENERATED}-${building}`, text: `${GENERATED}:${building}` };
   const bundled = worlds.find(({ file }) => file === world);
   if (!bundled) throw new Error(`There is no world called ${world}.`);

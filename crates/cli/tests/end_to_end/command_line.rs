@@ -230,6 +230,16 @@ fn check_goes_through_all_files_and_fails_if_one_is_bad() {
 }
 
 #[test]
+fn check_notes_what_is_hardly_meant_and_takes_the_file_all_the_same() {
+    let bench = Workbench::new();
+    let narrow = r#""doors": [{"name": "cat", "hinge": [1,0.5], "latch": [1.2,0.5]}], "walls""#;
+    bench.put("narrow.world.json", ROOM.replace("\"walls\"", narrow));
+    let outcome = bench.cogmap("check narrow.world.json").done();
+    assert!(outcome.err.contains("note: narrow.world.json, at `doors[0]`: is 0.20 m wide"), "{outcome:#?}");
+    assert!(outcome.out.contains("a world"), "{outcome:#?}");
+}
+
+#[test]
 #[cfg(unix)]
 fn nobody_listening_is_no_failure() {
     let bench = Workbench::new();

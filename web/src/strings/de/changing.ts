@@ -1,5 +1,5 @@
 import type { Changed, Objection } from '../../wasm/cogmap_wasm';
-import { plain } from '../words';
+import { day, plain } from '../words';
 
 /** What is changed in a building while the robot is in it. */
 export const changing = {
@@ -59,6 +59,19 @@ export const changing = {
           return `Der Roboter bleibt, wo er ist: ${objection.reason}.`;
       }
     },
+  },
+
+  /** The ways into the editor of buildings, whose own words are loaded with it. */
+  drafts: {
+    open: 'Bauen',
+    openHint: 'Das Gebäude oder ein neues zeichnen: Wände, Kisten, Türen, Räume, den Start und Routen (U)',
+    edit: { name: 'Gebäude bearbeiten', hint: 'das, in dem der Roboter ist, wie es jetzt ist' },
+    blank: { name: 'Neues Gebäude', hint: 'ein leeres Blatt mit einem Start' },
+    ofLog: 'Zu einer Aufzeichnung gibt es kein Gebäude zu bearbeiten. Zeichnen Sie ein neues.',
+    offer: (name: string, when: number) => `Weiterzeichnen? ${name}, verlassen am ${day(when)}.`,
+    goOn: 'Weiterzeichnen',
+    loading: 'Der Editor wird geöffnet …',
+    notLoaded: 'Der Editor ließ sich nicht laden. Laden Sie die Seite neu und versuchen Sie es noch einmal: Nichts ist verloren.',
   },
 
   /** What was changed around the robot. */

@@ -1,5 +1,5 @@
 import type { Changed, Objection } from '../../wasm/cogmap_wasm';
-import { plain } from '../words';
+import { day, plain } from '../words';
 
 /** What is changed in a building while the robot is in it. */
 export const changing = {
@@ -59,6 +59,20 @@ export const changing = {
           return `The robot stays where it is: ${objection.reason}.`;
       }
     },
+  },
+
+  /** The ways into the editor of buildings, whose own words are loaded with it. */
+  drafts: {
+    open: 'Build',
+    openHint: 'Draw the building, or a new one: walls, boxes, doors, rooms, the start and routes (U)',
+    edit: { name: 'Edit the building', hint: 'the one that the robot is in, as it is now' },
+    blank: { name: 'New building', hint: 'an empty sheet with a start' },
+    ofLog: 'A recorded log has no building that could be edited. Draw a new one instead.',
+    offer: (name: string, when: number) =>
+      `Go on drawing? ${name}, left ${day(when)}.`,
+    goOn: 'Go on drawing',
+    loading: 'Opening the editor…',
+    notLoaded: 'The editor could not be loaded. Reload the page and try again: nothing is lost.',
   },
 
   /** What was changed around the robot. */

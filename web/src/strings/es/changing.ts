@@ -1,5 +1,5 @@
 import type { Changed, Objection } from '../../wasm/cogmap_wasm';
-import { plain } from '../words';
+import { day, plain } from '../words';
 
 /** What is changed in a building while the robot is in it. */
 export const changing = {
@@ -59,6 +59,19 @@ export const changing = {
           return `El robot se queda donde está: ${objection.reason}.`;
       }
     },
+  },
+
+  /** The ways into the editor of buildings, whose own words are loaded with it. */
+  drafts: {
+    open: 'Construir',
+    openHint: 'Dibujar el edificio, o uno nuevo: paredes, cajas, puertas, salas, el comienzo y rutas (U)',
+    edit: { name: 'Modificar el edificio', hint: 'aquel en el que está el robot, tal como está ahora' },
+    blank: { name: 'Edificio nuevo', hint: 'una hoja en blanco con un comienzo' },
+    ofLog: 'Una grabación no tiene edificio que modificar. Dibuje uno nuevo.',
+    offer: (name: string, when: number) => `¿Seguir dibujando? ${name}, dejado el ${day(when)}.`,
+    goOn: 'Seguir dibujando',
+    loading: 'Abriendo el editor…',
+    notLoaded: 'El editor no se pudo cargar. Vuelva a cargar la página e inténtelo de nuevo: no se ha perdido nada.',
   },
 
   /** What was changed around the robot. */
