@@ -1,16 +1,9 @@
 import { en } from './en';
 import { locale } from './locale.svelte';
+import type { Worded } from './worded';
 
 /** A catalogue: what the English one holds, in any words. */
 export type Strings = Worded<typeof en>;
-
-type Worded<T> = T extends string
-  ? string
-  : T extends (...given: infer Given) => infer Said
-    ? (...given: Given) => Worded<Said>
-    : T extends readonly (infer Each)[]
-      ? readonly Worded<Each>[]
-      : { readonly [Key in keyof T]: Worded<T[Key]> };
 
 /** The languages of the page, each by its own name. */
 export const LANGUAGES = { en: 'English', de: 'Deutsch', es: 'Español' } as const;

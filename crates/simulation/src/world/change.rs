@@ -128,10 +128,7 @@ impl ChangingWorld {
                 New::Feet(Disc { center: person.path[0].into(), radius: person.radius })
             }
             WorldChange::Noise(noise) => {
-                if ![noise.odometry, noise.laser].iter().all(|times| (0.0..=NOISE_MAX).contains(times)) {
-                    return Err(format!("errors are 0 to {NOISE_MAX} times the robot's own"));
-                }
-                next.noise = *noise;
+                next.noise = bearable(*noise)?;
                 New::Nothing
             }
         };
@@ -162,6 +159,12 @@ fn checked(carton: BoxObstacle) -> Result<BoxObstacle, String> {
         return Err(format!("a box stands at most {COORDINATE_MAX} m from the origin"));
     }
     Ok(carton)
+}
+
+/// Errors that can be simulated.
+fn bearable(noise: Noise) -> Result<Noise, String> {
+    let all = [noise.odometry, noise.laser].iter().all(|times| (0.0..=NOISE_MAX).contains(times));
+    if all { Ok(noise) } else { Err(format!("errors are 0 to {NOISE_MAX} times the robot's own")) }
 }
 
 /// Somebody who can be simulated.
