@@ -1,0 +1,7 @@
+import { MediaQuery } from 'svelte/reactivity';
+
+/** Whether the page is wide enough for words on all buttons of its top. */
+export const wide = new MediaQuery('width >= 75rem');
+
+/** Whether there is room for words beside the set-up: on a wide page, and on a narrow one, where it is folded up. */
+export const wordy = new MediaQuery('(width >= 75rem) or (width < 62rem)');
