@@ -4,6 +4,8 @@ import { clickAt, latest, palette, rooms, take, told, word } from './altering';
 
 test('somebody comes where one clicks, or ahead of the robot, and walks', async ({ page }) => {
   const bench = await rooms(page);
+  await clickAt(bench, 'Somebody', [4, 0.5]);
+  await expect(word(page)).toContainText('Nobody came: there is no room');
   await clickAt(bench, 'Somebody', [6, 2.5]);
   await expect.poll(async () => (await latest(bench))?.what).toBe('add_person');
   const { path } = (await latest(bench)) as unknown as { path: [number, number][] };
@@ -13,8 +15,6 @@ test('somebody comes where one clicks, or ahead of the robot, and walks', async 
 
   await palette(page).getByRole('button', { name: '2 m ahead' }).click();
   await expect.poll(async () => (await told(bench)).filter(({ what }) => what === 'add_person').length).toBe(2);
-  await clickAt(bench, 'Somebody', [4, 0.5]);
-  await expect(word(page)).toContainText('Nobody came: there is no room');
 });
 
 test('the robot’s errors are set by keyboard, hold from then on, and are undone', async ({ page }) => {
