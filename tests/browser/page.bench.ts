@@ -71,7 +71,7 @@ test('how long a frame takes to paint', async ({ page }) => {
   await bench.open();
   await bench.drop({ name: 'jagged.log', content: jaggedLog() });
   await test.expect.poll(() => bench.surfaces(), { timeout: 120_000 }).toBeGreaterThanOrEqual(SURFACES);
-  await page.getByRole('button', { name: 'Pause' }).click().catch(() => undefined);
+  await page.getByRole('button', { name: 'Pause' }).click({ timeout: 1000 }).catch(() => undefined);
   const worker = page.workers()[0];
   const box = await page.locator('canvas').last().boundingBox();
   if (!worker || !box) throw new Error('the page has no worker or no memory');
@@ -157,7 +157,7 @@ async function count(worker: Worker | undefined): Promise<number> {
 /** A log whose scans see walls in steps, each elsewhere, so that a memory grows large soon. */
 function jaggedLog(): string {
   const lines = ['PARAM robot_front_laser_max 20.0 robot 0'];
-  for (let scan = 0; scan < 265; scan += 1) {
+  for (let scan = 0; scan < 290; scan += 1) {
     const ranges = Array.from({ length: 181 }, (_, beam) => {
       const bearing = ((beam - 90) * Math.PI) / 180;
       const wall = Math.floor(beam / 10) % 2 === 0 ? 2.4 : 3.2;
