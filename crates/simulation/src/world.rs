@@ -74,8 +74,8 @@ pub struct Post {
     pub radius: f64,
 }
 
-/// A door leaf. Closed, it reaches from the hinge to the latch; open, it stands at a right angle,
-/// counter-clockwise.
+/// A door leaf, 4 cm thick. Closed, it reaches from the hinge to the latch; open, it stands at a right
+/// angle, counter-clockwise.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Door {

@@ -5,6 +5,8 @@ use crate::{Obstacles, Person, Solids, World, WorldChange, dice::Dice};
 
 /// How far from the robot's first and last spot people keep, metres.
 const AWAY: f64 = 2.0;
+/// How far apart people stand when they come, metres.
+const APART: f64 = 0.6;
 /// How much room somebody needs around the middle, metres.
 const ROOM: f64 = 0.35;
 /// How far somebody walks to either side at most, metres.
@@ -20,7 +22,7 @@ pub(super) fn crossing(world: &World, route: &[DVec2], dice: &mut Dice) -> Optio
     let (start, end) = (DVec2::from(world.start.position), *route.last()?);
     let legs: Vec<Segment> = legs(start, route).collect();
     let wanted = dice.between(1, 3) as usize;
-    let mut people = Vec::new();
+    let mut people: Vec<Person> = Vec::new();
     for _ in 0..TRIES {
         let leg = dice.pick(&legs)?;
         let (middle, Some(ahead)) = (leg.midpoint(), leg.direction()) else { continue };
@@ -34,13 +36,17 @@ pub(super) fn crossing(world: &World, route: &[DVec2], dice: &mut Dice) -> Optio
         };
         let Some(path) = path.filter(free) else { continue };
         let path = path.map(|spot| spot.to_array().map(centimetres)).to_vec();
+        let comes = DVec2::from(path[0]);
+        if people.iter().any(|other| comes.distance(other.path[0].into()) < APART) {
+            continue;
+        }
         let (speed, radius) = (centimetres(dice.within(0.5, 1.1)), centimetres(dice.within(0.2, 0.26)));
-        people.push(WorldChange::AddPerson(Person { path, speed, radius }));
+        people.push(Person { path, speed, radius });
         if people.len() == wanted {
             break;
         }
     }
-    (!people.is_empty()).then_some(people)
+    (!people.is_empty()).then(|| people.into_iter().map(WorldChange::AddPerson).collect())
 }
 
 fn centimetres(metres: f64) -> f64 {

@@ -102,7 +102,7 @@ impl ChangingWorld {
                 let door = next.world.doors.iter_mut().find(|door| door.name == *name);
                 let door = door.ok_or_else(|| self.no_door(name))?;
                 door.open = *open;
-                New::Leaf(door.leaf())
+                New::Leaf(door.faces())
             }
             WorldChange::AddBox { center, size, heading_deg } => {
                 let carton = BoxObstacle { center: *center, size: *size, heading_deg: *heading_deg };
@@ -184,7 +184,7 @@ fn walking(person: Person) -> Result<Person, String> {
 pub(crate) enum New {
     Nothing,
     Feet(Disc),
-    Leaf(Segment),
+    Leaf([Segment; 4]),
     Box(BoxObstacle),
 }
 
@@ -194,7 +194,7 @@ impl New {
         match self {
             Self::Nothing => false,
             Self::Feet(feet) => feet.center.distance(center) < feet.radius + radius,
-            Self::Leaf(leaf) => leaf.distance_to(center) < radius,
+            Self::Leaf(faces) => faces.iter().any(|face| face.distance_to(center) < radius),
             Self::Box(carton) => {
                 carton.contains(center) || carton.edges().iter().any(|edge| edge.distance_to(center) < radius)
             }

@@ -2,7 +2,7 @@ use std::collections::BTreeSet;
 
 use super::{World, numbers, reach};
 
-/// How many pieces of wall, box edges, doors and posts a world may have.
+/// How many pieces of wall, box edges, faces of doors and posts a world may have.
 const SOLIDS_MAX: usize = 100_000;
 /// How many points all routes of a world may have together.
 const ROUTE_POINTS_MAX: usize = 10_000;
@@ -48,7 +48,8 @@ impl World {
 
     fn too_large(&self) -> Vec<Problem> {
         let walls: usize = self.walls.iter().map(|wall| wall.len().saturating_sub(1)).sum();
-        let solids = walls + 4 * self.boxes.len() + self.posts.len() + self.doors.len() + self.people.len();
+        let four_sided = 4 * (self.boxes.len() + self.doors.len());
+        let solids = walls + four_sided + self.posts.len() + self.people.len();
         let points = self.routes.values().map(Vec::len).sum::<usize>();
         let corners = self.rooms.iter().map(|room| room.outline.len()).sum::<usize>();
         let counted = [
