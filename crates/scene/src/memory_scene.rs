@@ -191,7 +191,7 @@ fn draw_truth(scene: &mut Scene, session: &Session, journal: &MapperJournal) {
     let (Some(truth), Some(world_from_robot)) = (truth, session.world_from_robot()) else { return };
     let map_from_world = first.map_from_robot * truth.pose.inverse();
     let boxes = world.boxes.iter().flat_map(BoxObstacle::edges);
-    let leaves = world.doors.iter().map(Door::leaf);
+    let leaves = world.doors.iter().flat_map(Door::faces);
     let solids = walls(world).into_iter().chain(boxes).chain(leaves);
     let lines = solids.map(|solid| map_from_world * solid).collect();
     scene.still.push(Item::new(Role::Truth, Shape::Segments(lines)));
