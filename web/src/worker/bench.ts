@@ -1,10 +1,11 @@
-import init, { Laboratory, type Alteration, type Layers, type Look, type Objection, type Order, type StageKind, type Status } from '../wasm/cogmap_wasm';
+import { Laboratory, type Alteration, type Layers, type Look, type Objection, type Order, type StageKind, type Status } from '../wasm/cogmap_wasm';
 import { begun, chosen } from './choice';
+import * as engine from './engine';
 import { hold } from './lifeline';
 import { Player } from './player';
 import type { Brought, Choice, Moment, Notice, Offer, Pace, Plotted, Resumable, Resumed, Saved, View } from './protocol';
 import { archive, drawingOf, mapOf, sessionOf, tableOf } from './saving';
-import { worlds } from './worlds';
+import { everyText, worlds } from './worlds';
 
 /** The bench on which the laboratory stands: everything here happens off the page's main thread. */
 export class Bench {
@@ -12,16 +13,18 @@ export class Bench {
   private before: Laboratory | undefined;
   /** The files that were opened last. */
   private brought: Brought[] = [];
+  /** Which run is to begin, of those that were wished for. */
+  private wish: symbol | undefined;
   private readonly player = new Player();
   private layers: Layers | undefined;
 
   /** Loads the engine. `name` is held for as long as the worker lives; `keep` gets what is to be kept. */
   async begin(name: string, listen: (notice: Notice) => void, keep: (moment: Moment) => void): Promise<Offer> {
-    await Promise.all([init(), hold(name)]);
+    await Promise.all([engine.begin(), hold(name)]);
     this.player.begin(listen, keep);
     const choices = Laboratory.choices();
     this.layers = choices.layers;
-    return { choices, worlds: worlds.map(({ text: _, ...world }) => world) };
+    return { choices, worlds };
   }
 
   private get laboratory(): Laboratory | undefined {
@@ -45,14 +48,18 @@ export class Bench {
    * Begins a run in one of the page's buildings, the robot about to follow the building's route, or
    * `views` views on its way already.
    */
-  start(choice: Choice, views = 0): void {
-    this.replace(begun(choice, views));
+  async start(choice: Choice, views = 0): Promise<void> {
+    const wish = (this.wish = Symbol('start'));
+    const laboratory = await begun(choice, views);
+    // Somebody may have wished for another building while this one came.
+    if (this.wish !== wish) return laboratory.free();
+    this.replace(laboratory);
     if (views === 0) this.player.touch();
   }
 
   /** Takes a run up again where it was left: all that happened until then happens once more, unseen. */
   async resume({ name, situation, log }: Resumable): Promise<Resumed> {
-    const buildings = worlds.map(({ file, text }) => ({ file, text }));
+    const buildings = await everyText();
     const laboratory = Laboratory.resume({ name, situation, buildings }, log?.bytes);
     const { building, warnings } = laboratory;
     this.brought = log ? [log] : [];

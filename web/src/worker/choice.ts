@@ -1,6 +1,6 @@
 import { Laboratory, type Status } from '../wasm/cogmap_wasm';
 import { GENERATED, type Choice } from './protocol';
-import { worlds, type BundledWorld } from './worlds';
+import { textOf } from './worlds';
 
 /** What of a run the page could have chosen itself. */
 export function chosen(building: string | undefined, { robot, seed, memories, foreign }: Status): Partial<Choice> {
@@ -11,18 +11,18 @@ export function chosen(building: string | undefined, { robot, seed, memories, fo
 }
 
 /** A run of a choice, `views` views on its way. */
-export function begun(choice: Choice, views: number): Laboratory {
+export async function begun(choice: Choice, views: number): Promise<Laboratory> {
   const { robot, mappers, seed } = choice;
-  const { file, text } = building(choice);
+  const { file, text } = await building(choice);
   const laboratory = new Laboratory({ world: text, file: `${file}.world.json`, robot, mappers, seed });
   for (let view = 0; view < views; view += 1) laboratory.advance_to_next_view();
   return laboratory;
 }
 
 /** The building of a choice: one that comes with the page, or one that its number makes. */
-function building({ world, building }: Choice): Pick<BundledWorld, 'file' | 'text'> {
+async function building({ world, building }: Choice): Promise<{ file: string; text: string }> {
   if (world === GENERATED) return { file: `${GENERATED}-${building}`, text: `${GENERATED}:${building}` };
-  const bundled = worlds.find(({ file }) => file === world);
-  if (!bundled) throw new Error(`There is no world called ${world}.`);
-  return bundled;
+  const text = await textOf(world);
+  if (text === undefined) throw new Error(`There is no world called ${world}.`);
+  return { file: world, text };
 }

@@ -1,5 +1,6 @@
 import { expose } from 'comlink';
-import init, { Laboratory, type Checked, type Draft, type Frame, type Look } from '../wasm/cogmap_wasm';
+import { Laboratory, type Checked, type Draft, type Frame, type Look } from '../wasm/cogmap_wasm';
+import * as engine from './engine';
 
 /** The drawing-room: paints and checks buildings that are being drawn, off the page's main thread. */
 export class Drafts {
@@ -8,7 +9,7 @@ export class Drafts {
 
   /** Loads the engine. */
   async begin(): Promise<void> {
-    await init();
+    await engine.begin();
   }
 
   /** Takes over the canvas of the sheet. */

@@ -1,6 +1,7 @@
 import type { Laboratory, SourceKind, View } from '../wasm/cogmap_wasm';
 import { Clock } from './clock';
 import { Easel } from './easel';
+import * as engine from './engine';
 import { Keeper } from './keeper';
 import type { Moment, Notice, Pace } from './protocol';
 import { momentOf } from './saving';
@@ -21,6 +22,8 @@ export class Player {
   private readonly keeper = new Keeper(() => (this.resuming ? undefined : this.laboratory && momentOf(this.laboratory)));
   private listen: (notice: Notice) => void = () => undefined;
   private noticed = 0;
+  /** Whether something was painted. */
+  private shown = false;
   private playing = true;
   /** Set while the run hurries to its end. */
   private hurry: symbol | undefined;
@@ -95,6 +98,8 @@ export class Player {
       this.keeper.grow();
     }
     const painted = this.easel.paint(laboratory, now);
+    if (painted && !this.shown) void engine.complete();
+    this.shown ||= painted;
     const ended = this.playing && !moved && laboratory.idle;
     if (ended && this.source === 'log') this.playing = false;
     if (!this.playing || ended || now - this.noticed > NOTICE_INTERVAL) this.notify(now);

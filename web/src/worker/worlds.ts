@@ -1,10 +1,8 @@
 import { WORLD_GROUPS, type WorldGroup } from './protocol';
 
-const files = import.meta.glob<string>('../../../worlds/*.world.json', {
-  query: '?raw',
-  import: 'default',
-  eager: true,
-});
+const names = import.meta.glob<string>('../../../worlds/*.world.json', { import: 'name', eager: true });
+const descriptions = import.meta.glob<string>('../../../worlds/*.world.json', { import: 'description', eager: true });
+const texts = import.meta.glob<string>('../../../worlds/*.world.json', { query: '?raw', import: 'default' });
 
 /** What there is, in the order in which it is offered. */
 const GROUPS = {
@@ -24,18 +22,30 @@ export interface BundledWorld {
   group: WorldGroup;
   /** What is worth knowing about it, a sentence or two. */
   description: string;
-  /** The world file as it was written. */
-  text: string;
 }
 
 /** The buildings that come with the page, in the order in which they are offered. */
-export const worlds: BundledWorld[] = Object.entries(files)
-  .map(([path, text]) => {
-    const { name, description } = JSON.parse(text) as { name: string; description: string };
-    const file = path.replace(/^.*\//, '').replace(/\.world\.json$/, '');
-    return { file, name, group: groupOf(file), description, text };
+export const worlds: BundledWorld[] = Object.entries(names)
+  .map(([path, name]) => {
+    const file = fileOf(path);
+    return { file, name, group: groupOf(file), description: descriptions[path] ?? '' };
   })
   .sort((one, other) => rank(one) - rank(other) || one.name.localeCompare(other.name));
+
+/** A building's world file as it was written, if the page has such a building; it comes when it is needed. */
+export async function textOf(file: string): Promise<string | undefined> {
+  const [, load] = Object.entries(texts).find(([path]) => fileOf(path) === file) ?? [];
+  return load?.();
+}
+
+/** All of them. */
+export function everyText(): Promise<{ file: string; text: string }[]> {
+  return Promise.all(Object.entries(texts).map(async ([path, load]) => ({ file: fileOf(path), text: await load() })));
+}
+
+function fileOf(path: string): string {
+  return path.replace(/^.*\//, '').replace(/\.world\.json$/, '');
+}
 
 /** A world that is in none of the groups is one of every day. */
 function groupOf(file: string): WorldGroup {
