@@ -5,6 +5,10 @@ use cogmap_scene::{Anchor, Colour, FONT_FAMILY, HALO, Item, Mark, Picture, Scene
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{OffscreenCanvas, OffscreenCanvasRenderingContext2d as Context};
 
+mod hair;
+
+use hair::hairs;
+
 /// Where on a canvas a sheet lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Place {
@@ -17,17 +21,19 @@ pub(crate) struct Place {
 /// Paints scenes, and keeps what of them has not changed since the last time.
 #[derive(Debug, Default)]
 pub(crate) struct Canvas {
-    kept: Option<Kept>,
+    /// The still part that was painted last.
+    last: Option<Still>,
+    /// The still part that was painted more than once.
+    kept: Option<(Still, OffscreenCanvas)>,
 }
 
-/// The still part of a picture, and everything that it depends on.
+/// The still part of a picture: everything that it depends on.
 #[derive(Debug)]
-struct Kept {
+struct Still {
     items: Vec<Item>,
     views: usize,
     sheet: Sheet,
     density: f64,
-    canvas: OffscreenCanvas,
 }
 
 impl Canvas {
@@ -44,28 +50,74 @@ impl Canvas {
     ) -> Result<(), JsValue> {
         let sheet = Sheet { camera: Some(sheet.camera_for(scene)), ..*sheet };
         let Place { corner, density } = place;
-        let still = self.still(scene, &sheet, density)?;
+        self.keep(scene, &sheet, density)?;
         context.save();
         context.set_transform(density, 0.0, 0.0, density, corner.x * density, corner.y * density)?;
         context.begin_path();
         context.rect(0.0, 0.0, sheet.width, sheet.height);
         context.clip();
-        context.draw_image_with_offscreen_canvas_and_dw_and_dh(still, 0.0, 0.0, sheet.width, sheet.height)?;
+        match &self.kept {
+            Some((_, still)) => context.draw_image_with_offscreen_canvas_and_dw_and_dh(
+                still,
+                0.0,
+                0.0,
+                sheet.width,
+                sheet.height,
+            )?,
+            None => paint_still(context, scene, &sheet, density)?,
+        }
         let moving = Picture::changing(scene, &sheet);
         let painted = draw(context, moving.iter().chain(&Picture::surround(scene, &sheet)), density);
         context.restore();
         painted
     }
 
-    /// The still part, painted anew only where something differs.
-    fn still(&mut self, scene: &Scene, sheet: &Sheet, density: f64) -> Result<&OffscreenCanvas, JsValue> {
-        let kept = self.kept.take().filter(|kept| kept.shows(scene, sheet, density));
-        let kept = match kept {
-            Some(kept) => kept,
-            None => Kept::paint(scene, sheet, density)?,
-        };
-        Ok(&self.kept.insert(kept).canvas)
+    /// Keeps the still part as a picture if it is the same as the last time: while somebody moves the map about, or
+    /// it grows in every frame, a picture of it would be made for nothing.
+    fn keep(&mut self, scene: &Scene, sheet: &Sheet, density: f64) -> Result<(), JsValue> {
+        let shows = |still: &Still| still.shows(scene, sheet, density);
+        self.kept.take_if(|(still, _)| !shows(still));
+        if self.kept.is_some() {
+            return Ok(());
+        }
+        match self.last.take().filter(shows) {
+            Some(still) => {
+                let canvas = picture(scene, sheet, density)?;
+                self.kept = Some((still, canvas));
+            }
+            None => self.last = Some(Still::of(scene, sheet, density)),
+        }
+        Ok(())
     }
+}
+
+impl Still {
+    fn of(scene: &Scene, sheet: &Sheet, density: f64) -> Self {
+        Self { items: scene.still.clone(), views: scene.views, sheet: *sheet, density }
+    }
+
+    fn shows(&self, scene: &Scene, sheet: &Sheet, density: f64) -> bool {
+        (self.views, self.density) == (scene.views, density)
+            && self.sheet == *sheet
+            && self.items == scene.still
+    }
+}
+
+/// A picture of the still part.
+fn picture(scene: &Scene, sheet: &Sheet, density: f64) -> Result<OffscreenCanvas, JsValue> {
+    let pixels = |length: f64| (length * density).round().max(1.0) as u32;
+    let canvas = OffscreenCanvas::new(pixels(sheet.width), pixels(sheet.height))?;
+    let context = canvas.get_context("2d")?.ok_or("this browser has no more room to draw in")?;
+    let context: Context = context.unchecked_into();
+    context.scale(density, density)?;
+    paint_still(&context, scene, sheet, density)?;
+    Ok(canvas)
+}
+
+fn paint_still(context: &Context, scene: &Scene, sheet: &Sheet, density: f64) -> Result<(), JsValue> {
+    context.set_fill_style_str(&sheet.theme.paper().css());
+    context.fill_rect(0.0, 0.0, sheet.width, sheet.height);
+    draw(context, &Picture::still(scene, sheet), density)
 }
 
 /// Paints a scene over a whole canvas, where nothing of it is worth keeping for the next time.
@@ -86,26 +138,6 @@ pub(crate) fn paint_once(
     let painted = draw(context, &picture.marks, density);
     context.restore();
     painted
-}
-
-impl Kept {
-    fn shows(&self, scene: &Scene, sheet: &Sheet, density: f64) -> bool {
-        (self.views, self.density) == (scene.views, density)
-            && self.sheet == *sheet
-            && self.items == scene.still
-    }
-
-    fn paint(scene: &Scene, sheet: &Sheet, density: f64) -> Result<Self, JsValue> {
-        let pixels = |length: f64| (length * density).round().max(1.0) as u32;
-        let canvas = OffscreenCanvas::new(pixels(sheet.width), pixels(sheet.height))?;
-        let context = canvas.get_context("2d")?.ok_or("this browser has no more room to draw in")?;
-        let context: Context = context.unchecked_into();
-        context.scale(density, density)?;
-        context.set_fill_style_str(&sheet.theme.paper().css());
-        context.fill_rect(0.0, 0.0, sheet.width, sheet.height);
-        draw(&context, &Picture::still(scene, sheet), density)?;
-        Ok(Self { items: scene.still.clone(), views: scene.views, sheet: *sheet, density, canvas })
-    }
 }
 
 fn draw<'a>(
@@ -144,15 +176,19 @@ fn draw<'a>(
 }
 
 fn draw_lines(context: &Context, stroke: Stroke, lines: &[[DVec2; 2]], density: f64) {
-    set_pen(context, stroke);
-    let together = stroked_together(stroke, density);
+    let hairs = hairs(stroke, density);
+    let drawn = if hairs.is_empty() { stroke } else { Stroke { width: 1.0 / density, ..stroke } };
+    set_pen(context, drawn);
+    let together = !hairs.is_empty() || stroke.width * density <= 1.0 || stroke.colour.alpha < u8::MAX;
     context.begin_path();
-    for [a, b] in lines {
+    for &line in lines {
         if !together {
             context.begin_path();
         }
-        context.move_to(a.x, a.y);
-        context.line_to(b.x, b.y);
+        if hairs.is_empty() {
+            add(context, line);
+        }
+        hairs.iter().for_each(|hair| add(context, hair.beside(line)));
         if !together {
             context.stroke();
         }
@@ -162,10 +198,9 @@ fn draw_lines(context: &Context, stroke: Stroke, lines: &[[DVec2; 2]], density: 
     }
 }
 
-/// Browsers draw a path of many hairlines much faster than the lines one by one, and a path of many
-/// wide lines much slower. Lines that let the ground through must not do so twice where they meet.
-fn stroked_together(stroke: Stroke, density: f64) -> bool {
-    stroke.width * density <= 1.0 || stroke.colour.alpha < u8::MAX
+fn add(context: &Context, [a, b]: [DVec2; 2]) {
+    context.move_to(a.x, a.y);
+    context.line_to(b.x, b.y);
 }
 
 fn trace(context: &Context, points: &[DVec2], closed: bool) {
@@ -211,19 +246,4 @@ fn write(
 fn set_pen(context: &Context, stroke: Stroke) {
     context.set_stroke_style_str(&stroke.colour.css());
     context.set_line_width(stroke.width);
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn hairlines_go_together_and_wide_lines_one_by_one() {
-        let black = Colour::solid(0);
-        let stroke = |colour, width| Stroke { colour, width };
-        assert!(stroked_together(stroke(black, 1.0), 1.0));
-        assert!(!stroked_together(stroke(black, 1.0), 2.0));
-        assert!(!stroked_together(stroke(black, 2.0), 1.0));
-        assert!(stroked_together(stroke(black.with_alpha(90), 6.0), 2.0));
-    }
 }
