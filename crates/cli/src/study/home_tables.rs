@@ -85,7 +85,10 @@ fn pairs(summary: &HomeSummary) -> String {
 
 fn thinking(times: &DecisionTimes) -> String {
     let lines = times.iter().map(|(strategy, times)| {
-        format!("  {strategy}: a decision took {:.2} ms, {:.1} at worst\n", times.mean_ms, times.worst_ms)
+        format!(
+            "  {strategy}: a decision took {:.2} ms, {:.1} at worst, by the wall clock and whatever else went on\n",
+            times.mean_ms, times.worst_ms
+        )
     });
     lines.collect()
 }

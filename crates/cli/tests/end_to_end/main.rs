@@ -4,8 +4,11 @@
 /// What every test needs: a place of its own, the program, a small world and a small log.
 mod workbench;
 
-/// What `run`, `replay` and `check` leave on disk and on screen, and how they end.
+/// What `run` and `replay` leave on disk and on screen, and how they end.
 mod command_line;
+
+/// What `check` says of files, good and bad.
+mod checks;
 
 /// What `study` shows and leaves: the same whatever the number of cores.
 mod studies;
