@@ -9,6 +9,7 @@ export interface World {
   boxes?: { center: [number, number]; size: [number, number]; heading_deg: number }[];
   posts?: { center: [number, number]; radius: number }[];
   doors?: { name: string; hinge: [number, number]; latch: [number, number]; open: boolean }[];
+  people?: { path: [number, number][]; speed: number; radius: number }[];
   start: { position: [number, number]; heading_deg: number };
   routes?: Record<string, [number, number][]>;
   rooms?: { name: string; outline: [number, number][] }[];

@@ -32,22 +32,28 @@ test('a building is drawn from an empty sheet by mouse, undone, done again, save
   await click(page, 0.7, 0.4);
   await page.keyboard.press('Enter');
   await expect(said(page)).toHaveText('Route “route 1” through 2 points added.');
+  await page.keyboard.press('n');
+  await click(page, 0.5, 0.75);
+  await click(page, 0.7, 0.75);
+  await page.keyboard.press('Enter');
+  await expect(said(page)).toHaveText(/^Somebody who walks \d+\.\d+ m to and fro added\.$/);
   await expect(check(page)).toContainText('Everything is in order');
 
   const whole = await save(page);
   expect(whole.name).toBe('new-building.world.json');
-  const { walls, boxes, posts, doors, rooms, routes, start } = whole.world;
+  const { walls, boxes, posts, doors, people, rooms, routes, start } = whole.world;
   expect(walls).toHaveLength(1);
   expect(walls[0]?.[4]).toEqual(walls[0]?.[0]);
   expect([boxes?.length, posts?.length, rooms?.[0]?.outline.length, routes?.['route 1']?.length]).toEqual([1, 1, 4, 2]);
+  expect(people).toMatchObject([{ speed: 0.8, radius: 0.25 }]);
   expect(start.heading_deg).toBe(90);
   expect(doors?.[0]?.hinge[0], 'the door is in the wall').toBe(walls[0]?.[1]?.[0]);
   for (const number of walls.flat(2)) expect(Math.abs(number * 10 - Math.round(number * 10)), 'on the grid').toBeLessThan(1e-9);
 
-  await press(page, 'Control+z', 8);
+  await press(page, 'Control+z', 9);
   await expect(said(page)).toHaveText('Nothing is left to undo.');
   await expect(form(page).getByRole('option')).toHaveText(['nothing', 'Start']);
-  await press(page, 'Control+Shift+Z', 7);
+  await press(page, 'Control+Shift+Z', 8);
   expect((await save(page)).text).toBe(whole.text);
 
   await test.step('on the command line', () => {

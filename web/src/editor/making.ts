@@ -7,6 +7,9 @@ import { POINTS, type ToolName } from './tools';
 /** A post that nobody said the size of, metres. */
 const RADIUS = 0.05;
 
+/** How somebody walks whom nobody said more of: a stroll, metres a second, and feet, metres. */
+const STROLL = { speed: 0.8, radius: 0.25 };
+
 /** What a tool makes of points, and how to say so; or what speaks against it. */
 export type Made = { thing: Thing; said: string } | { objection: string };
 
@@ -35,6 +38,8 @@ export function make(tool: Exclude<ToolName, 'select'>, placed: Point[], draft: 
       const name = freeName(draft, 'route', words.stems.route);
       return { thing: { kind: 'route', name, points }, said: words.said.route(name, points.length) };
     }
+    case 'person':
+      return { thing: { kind: 'person', points, ...STROLL }, said: words.said.person(length(points)) };
   }
 }
 

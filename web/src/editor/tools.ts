@@ -1,7 +1,7 @@
 import type { Kind } from './things';
 
 /** What can be done on a sheet, in the order of the tools. */
-export const TOOLS = ['select', 'wall', 'box', 'post', 'door', 'room', 'start', 'route'] as const;
+export const TOOLS = ['select', 'wall', 'box', 'post', 'door', 'room', 'start', 'route', 'person'] as const;
 export type ToolName = (typeof TOOLS)[number];
 
 /** The key that chooses each tool. */
@@ -14,6 +14,7 @@ export const KEYS: Record<ToolName, string> = {
   room: 'r',
   start: 's',
   route: 't',
+  person: 'n',
 };
 
 /** How many points each tool takes: at least, and at most. */
@@ -25,6 +26,7 @@ export const POINTS: Record<Exclude<ToolName, 'select'>, [number, number]> = {
   room: [3, Infinity],
   start: [1, 2],
   route: [1, Infinity],
+  person: [2, Infinity],
 };
 
 /** The fewest points that a thing keeps when some are taken out. */

@@ -56,6 +56,7 @@ export const editing = {
     room: 'Raum',
     start: 'Start',
     route: 'Route',
+    person: 'Person',
   } satisfies Record<ToolName, string>,
   hints: {
     select: 'Klicken Sie etwas an, um es zu wählen, ziehen Sie es, um es zu verschieben. Am Boden ziehen zeigt anderes.',
@@ -66,6 +67,7 @@ export const editing = {
     room: 'Klicken Sie rund um den Raum, Ecke für Ecke. Doppelklick oder Eingabe beendet ihn.',
     start: 'Drücken Sie, wo der Roboter beginnen soll, und ziehen Sie dorthin, wohin er blickt.',
     route: 'Klicken Sie Punkt für Punkt, wohin der Roboter fahren soll. Doppelklick oder Eingabe beendet sie.',
+    person: 'Klicken Sie Punkt für Punkt, wo jemand hin und her geht. Doppelklick oder Eingabe beendet den Weg.',
   } satisfies Record<ToolName, string>,
   going: (points: number, of: number) =>
     of === 2
@@ -122,7 +124,7 @@ export const editing = {
 
   keysTitle: 'Tasten',
   keys: [
-    { keys: ['V', 'W', 'B', 'P', 'D', 'R', 'S', 'T'], does: 'wählen, Wand, Kiste, Pfosten, Tür, Raum, Start, Route' },
+    { keys: ['V', 'W', 'B', 'P', 'D', 'R', 'S', 'T', 'N'], does: 'wählen, Wand, Kiste, Pfosten, Tür, Raum, Start, Route, Person' },
     { keys: ['↑ ↓ ← →'], does: 'die Marke um 0,1 m bewegen (Umschalt 1 m, Alt 1 cm)' },
     { keys: ['Eingabe'], does: 'einen Punkt setzen, am letzten enden, wählen oder aufnehmen, was dort ist' },
     { keys: ['Esc'], does: 'verwerfen, zurückstellen, nichts wählen' },
@@ -156,6 +158,7 @@ export const editing = {
     start: (x: number, y: number, heading: number) =>
       `Der Roboter beginnt bei ${number(x, 2)} / ${number(y, 2)} und blickt nach ${number(heading, 0)}°.`,
     route: (name: string, points: number) => `Route ${quoted(name)} durch ${count(points, 'Punkt', 'Punkte')} hinzugefügt.`,
+    person: (long: number) => `Jemand hinzugefügt, der ${metres(long)} hin und her geht.`,
     point: (nth: number, x: number, y: number) => `Punkt ${nth} bei ${number(x, 2)} / ${number(y, 2)}.`,
     pointTaken: (left: number) => `Der letzte Punkt ist zurückgenommen, es bleiben ${left}.`,
     tooFew: (least: number) => `Das braucht mindestens ${least} Punkte.`,

@@ -56,6 +56,7 @@ export const editing = {
     room: 'Room',
     start: 'Start',
     route: 'Route',
+    person: 'Person',
   } satisfies Record<ToolName, string>,
   hints: {
     select: 'Click something to select it, drag it to move it. Drag the floor to look elsewhere.',
@@ -66,6 +67,7 @@ export const editing = {
     room: 'Click round the room, corner by corner. A double click or Enter ends it.',
     start: 'Press where the robot is to begin, drag to where it looks.',
     route: 'Click point by point where the robot is to go. A double click or Enter ends it.',
+    person: 'Click point by point where somebody walks to and fro. A double click or Enter ends it.',
   } satisfies Record<ToolName, string>,
   going: (points: number, of: number) =>
     of === 2
@@ -122,7 +124,7 @@ export const editing = {
 
   keysTitle: 'Keys',
   keys: [
-    { keys: ['V', 'W', 'B', 'P', 'D', 'R', 'S', 'T'], does: 'select, wall, box, post, door, room, start, route' },
+    { keys: ['V', 'W', 'B', 'P', 'D', 'R', 'S', 'T', 'N'], does: 'select, wall, box, post, door, room, start, route, person' },
     { keys: ['↑ ↓ ← →'], does: 'move the cursor by 0.1 m (Shift 1 m, Alt 1 cm)' },
     { keys: ['Enter'], does: 'place a point, end at the last one, select or take up what is there' },
     { keys: ['Esc'], does: 'abandon, put back, select nothing' },
@@ -156,6 +158,7 @@ export const editing = {
     start: (x: number, y: number, heading: number) =>
       `The robot begins at ${number(x, 2)}, ${number(y, 2)}, looking to ${number(heading, 0)}°.`,
     route: (name: string, points: number) => `Route ${quoted(name)} through ${count(points, 'point', 'points')} added.`,
+    person: (long: number) => `Somebody who walks ${metres(long)} to and fro added.`,
     point: (nth: number, x: number, y: number) => `Point ${nth} at ${number(x, 2)}, ${number(y, 2)}.`,
     pointTaken: (left: number) => `The last point is taken back, ${left} left.`,
     tooFew: (least: number) => `That takes at least ${least} points.`,

@@ -56,6 +56,7 @@ export const editing = {
     room: 'Sala',
     start: 'Comienzo',
     route: 'Ruta',
+    person: 'Persona',
   } satisfies Record<ToolName, string>,
   hints: {
     select: 'Haga clic en algo para elegirlo, arrástrelo para moverlo. Arrastre el suelo para ver otra parte.',
@@ -66,6 +67,7 @@ export const editing = {
     room: 'Haga clic alrededor de la sala, esquina a esquina. Doble clic o Intro la termina.',
     start: 'Pulse donde deba empezar el robot y arrastre hacia donde mira.',
     route: 'Haga clic punto a punto por donde deba ir el robot. Doble clic o Intro la termina.',
+    person: 'Haga clic punto a punto por donde alguien vaya y venga. Doble clic o Intro termina el camino.',
   } satisfies Record<ToolName, string>,
   going: (points: number, of: number) =>
     of === 2
@@ -122,7 +124,7 @@ export const editing = {
 
   keysTitle: 'Teclas',
   keys: [
-    { keys: ['V', 'W', 'B', 'P', 'D', 'R', 'S', 'T'], does: 'elegir, pared, caja, poste, puerta, sala, comienzo, ruta' },
+    { keys: ['V', 'W', 'B', 'P', 'D', 'R', 'S', 'T', 'N'], does: 'elegir, pared, caja, poste, puerta, sala, comienzo, ruta, persona' },
     { keys: ['↑ ↓ ← →'], does: 'mover el cursor 0,1 m (Mayús 1 m, Alt 1 cm)' },
     { keys: ['Intro'], does: 'poner un punto, terminar en el último, elegir o tomar lo que haya' },
     { keys: ['Esc'], does: 'abandonar, devolver, no elegir nada' },
@@ -156,6 +158,7 @@ export const editing = {
     start: (x: number, y: number, heading: number) =>
       `El robot empieza en ${number(x, 2)}; ${number(y, 2)}, mirando a ${number(heading, 0)}°.`,
     route: (name: string, points: number) => `Añadida la ruta ${quoted(name)} por ${count(points, 'punto', 'puntos')}.`,
+    person: (long: number) => `Añadida una persona que va y viene ${metres(long)}.`,
     point: (nth: number, x: number, y: number) => `Punto ${nth} en ${number(x, 2)}; ${number(y, 2)}.`,
     pointTaken: (left: number) => `Quitado el último punto; quedan ${left}.`,
     tooFew: (least: number) => `Hacen falta al menos ${least} puntos.`,
