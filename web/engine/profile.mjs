@@ -11,8 +11,8 @@ import { plain } from './names.mjs';
 
 const folder = join(import.meta.dirname, '../src/wasm');
 const list = join(import.meta.dirname, 'first.txt');
-/** Milliseconds that are watched after opening, and while somebody holds each key. */
-const WATCHED = [8000, 2500];
+/** Milliseconds that are watched once the robot drives by itself, and while somebody holds each key. */
+const WATCHED = [6000, 2500];
 
 /** Tells the module's functions apart by numbers, and the worker which of them were called. */
 const HEAD = `{ globalThis.touched = new Set();
@@ -32,9 +32,11 @@ await context.route('**/*.js', async (route) => {
 });
 const page = await context.newPage();
 await page.goto(`http://127.0.0.1:${server.httpServer.address().port}/`);
+await drivenOn();
 await page.waitForTimeout(WATCHED[0]);
 for (const key of ['ArrowUp', 'ArrowLeft', 'ArrowUp', 'ArrowRight']) {
   await page.keyboard.down(key);
+  if (key === 'ArrowUp') await drivenOn();
   await page.waitForTimeout(WATCHED[1]);
   await page.keyboard.up(key);
 }
@@ -46,6 +48,18 @@ const called = [...new Set(touched.flat().map((k) => plain(names[k])))].sort();
 if (called.length === 0) throw new Error('the engine told of no function: has the page been built?');
 writeFileSync(list, `# What the page calls until somebody drives; written by engine/profile.mjs.\n${called.join('\n')}\n`);
 console.log(`${called.length} names in ${list}: build the page again`);
+
+/** Waits until the robot has driven farther, however long that takes. */
+async function drivenOn() {
+  const before = await driven();
+  while ((await driven()) <= before) await page.waitForTimeout(200);
+}
+
+/** Metres driven, as the page tells it. */
+async function driven() {
+  const told = await page.evaluate(() => document.body.innerText);
+  return Number(/([\d.]+) m driven/.exec(told)?.[1] ?? 0);
+}
 
 /** The engine with a call at the beginning of each function, and the functions' names by their numbers. */
 function telling(bytes) {
