@@ -98,8 +98,6 @@ pub struct NearSurface {
     pub lies: Bearing,
     /// The view that saw it first.
     pub seen: Occasion,
-    /// How long ago that was, seconds of the run until the latest view.
-    pub age: f64,
 }
 
 /// An exit that was only seen.
@@ -230,13 +228,11 @@ impl Writer<'_> {
 
     fn surface(&self, id: SurfaceId) -> Option<NearSurface> {
         let stored = self.mfis().get(id)?;
-        let seen = self.teller.occasion(stored.step);
         Some(NearSurface {
             surface: id.0,
             length: stored.segment.length(),
             lies: self.lies(Thing::Surface(id))?,
-            seen,
-            age: self.latest().t - seen.t,
+            seen: self.teller.occasion(stored.step),
         })
     }
 
@@ -282,7 +278,7 @@ mod tests {
         for place in &contents.places {
             let [one, other] = place.nearest[..] else { panic!("{place:?}") };
             assert!(one.lies.distance <= other.lies.distance && place.surfaces > 2);
-            assert!(one.age >= 0.0 && one.age <= contents.view.t);
+            assert!(one.seen.step <= contents.view.step && one.seen.t <= contents.view.t);
         }
     }
 

@@ -1,9 +1,11 @@
-import init, { Laboratory, type Alteration, type Layers, type Look, type Objection, type Order, type StageKind, type Status } from '../wasm/cogmap_wasm';
+import { proxy } from 'comlink';
+import init, { Laboratory, type Alteration, type Layers, type Look, type Objection, type Order, type Status } from '../wasm/cogmap_wasm';
 import { begun, chosen } from './choice';
 import { hold } from './lifeline';
 import { Player } from './player';
-import type { Brought, Choice, Moment, Notice, Offer, Pace, Plotted, Resumable, Resumed, Saved, View } from './protocol';
+import type { Brought, Choice, Moment, Notice, Offer, Pace, Resumable, Resumed, Saved, View } from './protocol';
 import { archive, drawingOf, mapOf, sessionOf, tableOf } from './saving';
+import { Telling } from './telling';
 import { worlds } from './worlds';
 
 /** The bench on which the laboratory stands: everything here happens off the page's main thread. */
@@ -13,6 +15,8 @@ export class Bench {
   /** The files that were opened last. */
   private brought: Brought[] = [];
   private readonly player = new Player();
+  /** What is asked about the run. */
+  readonly telling = proxy(new Telling(this.player));
   private layers: Layers | undefined;
 
   /** Loads the engine. `name` is held for as long as the worker lives; `keep` gets what is to be kept. */
@@ -170,18 +174,6 @@ export class Bench {
     this.player.play(false);
     this.laboratory?.back_to_previous_view();
     this.player.touch();
-  }
-
-  /** Takes the latest step of a memory apart and points one of its stages out; without a memory, no longer. */
-  explain(view: View | undefined, stage: StageKind | undefined): void {
-    this.player.explained = view;
-    this.laboratory?.point_out(view ?? 'world', stage);
-    this.player.refresh();
-  }
-
-  /** What can be plotted of the run at hand and, for a memory, its places as a schematic. */
-  plots(places: View | undefined): Plotted | undefined {
-    return this.laboratory && { plots: this.laboratory.plots(), schematic: places && this.laboratory.schematic(places) };
   }
 
   /**

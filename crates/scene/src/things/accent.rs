@@ -70,7 +70,9 @@ impl Accent<'_> {
         let Some(network) = self.mind.network() else { return };
         let Some(asr) = network.asr(id) else { return };
         self.draw(Role::Place(PlaceMark::Floor(asr.id.0)), Shape::Polygon(floor(self.mind, asr)));
-        self.lines(&self.own(network, asr));
+        let own = self.own(network, asr);
+        self.draw(Annotation::PointedRim, Shape::Segments(own.clone()));
+        self.draw(PlaceMark::Surface(asr.id.0), Shape::Segments(own));
         let exits = asr.exits.iter().filter_map(|id| network.exit(*id));
         for exit in exits.map(|exit| placed(exit, self.mind)).collect::<Vec<_>>() {
             self.draw(PlaceMark::ExitRim, Shape::Segments(vec![exit]));
@@ -128,7 +130,7 @@ mod tests {
         let own = session.mappers()[0].network().unwrap().surfaces_of(AsrId(0)).len();
         let (_, scene) = accented(Thing::Asr(AsrId(0)));
         let lines = scene.changing.iter().find_map(|item| match &item.shape {
-            Shape::Segments(lines) if item.role == Annotation::Pointed.into() => Some(lines.len()),
+            Shape::Segments(lines) if item.role == PlaceMark::Surface(0).into() => Some(lines.len()),
             _ => None,
         });
         assert_eq!(lines, Some(own));

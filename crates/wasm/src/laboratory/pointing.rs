@@ -46,15 +46,16 @@ impl Laboratory {
         Ok(there.map(|thing| Remembered::from(thing).into_ts()).transpose()?)
     }
 
-    /// Sets a thing of a memory off in its view; without one, none any longer.
+    /// Sets a thing of a memory off in its view; without one, none any longer. `false` if nothing has changed by it.
     ///
     /// # Errors
     /// What is no view or no thing.
     #[allow(clippy::needless_pass_by_value, reason = "an optional value can cross in no other form")]
-    pub fn set_off(&mut self, view: &Ts<View>, thing: Option<Ts<Remembered>>) -> Result<(), JsError> {
+    pub fn set_off(&mut self, view: &Ts<View>, thing: Option<Ts<Remembered>>) -> Result<bool, JsError> {
         let view = view.to_rust()?;
-        self.set_off = thing.map(|thing| thing.to_rust()).transpose()?.map(|thing| (view, thing));
-        Ok(())
+        let thing = thing.map(|thing| thing.to_rust()).transpose()?.map(|thing| (view, thing));
+        let before = std::mem::replace(&mut self.set_off, thing);
+        Ok(before != thing)
     }
 
     /// What is known about the thing that is set off; nothing where none is, or it is not in mind at this moment.
