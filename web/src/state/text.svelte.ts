@@ -19,6 +19,10 @@ export class TextView {
   view = $state<View>('first');
   /** Whether somebody is at a line: what they read stays. */
   private held = false;
+  /** Whether what comes next is told all the same: somebody asked for it. */
+  private due = false;
+  /** What had the focus before the panel took it. */
+  private before: Element | null = null;
   private most = $state<Record<string, number>>({});
   private readonly inquiry: Inquiry<Contents | undefined>;
 
@@ -28,13 +32,21 @@ export class TextView {
     private readonly opening: () => void,
   ) {
     const question = () => ask(this.view, Math.max(FEW, ...Object.values(this.most)));
-    this.inquiry = new Inquiry(INTERVAL, question, (contents) => (this.contents = contents), () => this.open && !this.held);
+    this.inquiry = new Inquiry(INTERVAL, question, (contents) => this.take(contents), () => this.open && !this.held);
   }
 
   toggle = (): void => {
-    if (!this.open) this.opening();
+    if (!this.open) {
+      this.opening();
+      this.before = document.activeElement;
+    }
     this.open = !this.open;
   };
+
+  /** Gives the focus back, unless it has gone elsewhere. */
+  giveBack(): void {
+    if (document.activeElement === document.body && this.before instanceof HTMLElement) this.before.focus();
+  }
 
   close = (): void => {
     this.open = false;
@@ -56,19 +68,19 @@ export class TextView {
   /** Tells more surfaces of a place. */
   more(asr: number | undefined): void {
     this.most = { ...this.most, [String(asr)]: this.shown(asr) + MORE };
-    this.inquiry.refresh();
+    this.update();
   }
 
   /** Something happened in the run: it is told, unless somebody is at a line. */
   refresh(): void {
     if (this.held) this.behind = true;
-    else this.update();
+    else this.inquiry.refresh();
   }
 
   /** Tells what there is now, whoever reads. */
   update = (): void => {
-    this.behind = false;
-    this.inquiry.refresh();
+    this.due = true;
+    this.inquiry.renew();
   };
 
   /** Asks another worker. */
@@ -78,5 +90,14 @@ export class TextView {
   hold(held: boolean): void {
     this.held = held;
     if (!held && this.behind) this.update();
+  }
+
+  private take(contents: Contents | undefined): void {
+    if (this.held && !this.due) {
+      this.behind = true;
+      return;
+    }
+    this.due = this.behind = false;
+    this.contents = contents;
   }
 }
