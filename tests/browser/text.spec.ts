@@ -117,6 +117,7 @@ test('the words wait for whoever is at a line of them, and follow otherwise', as
   await page.keyboard.press('m');
   await page.mouse.move(5, 5);
   const asOf = async () => Number(/As of view (\d+)/.exec(await panel(page).innerText())?.[1]);
+  await expect(panel(page)).toContainText('As of view');
   const first = await asOf();
   await expect.poll(asOf).toBeGreaterThan(first);
   await surfaces(page).getByRole('button', { name: /^Surface/ }).first().focus();

@@ -43,6 +43,10 @@ pub enum Walk {
     Newer,
     /// To the next older one of its kind.
     Older,
+    /// To the newest one of its kind.
+    Newest,
+    /// To the oldest one of its kind.
+    Oldest,
     /// To the nearest one of the next kind.
     NextKind,
     /// To the nearest one of the kind before.
@@ -95,6 +99,8 @@ pub(crate) fn walked(
     match walk {
         Walk::Newer => like.get(at + 1).or(like.last()).copied(),
         Walk::Older => like.get(at.saturating_sub(1)).copied(),
+        Walk::Newest => like.last().copied(),
+        Walk::Oldest => like.first().copied(),
         Walk::NextKind => others(from.kind, 1).find_map(|kind| nearest(mind, kind, here)),
         Walk::KindBefore => others(from.kind, KINDS.len() - 1).find_map(|kind| nearest(mind, kind, here)),
     }
@@ -131,6 +137,10 @@ mod tests {
         assert_eq!(walk(Some(older), Walk::Newer), Some(begin));
         let first = remembered(RememberedKind::Surface, 0);
         assert_eq!(walk(Some(first), Walk::Older), Some(first));
+        assert_eq!(walk(Some(begin), Walk::Oldest), Some(first));
+        let last = walk(Some(first), Walk::Newest).unwrap();
+        assert_eq!(walk(Some(last), Walk::Newer), Some(last));
+        assert!(last.number > first.number);
         let exit = walk(Some(begin), Walk::NextKind).unwrap();
         assert_eq!(exit, remembered(RememberedKind::Exit, 0));
         // The thesis's mapper supposes no exits.

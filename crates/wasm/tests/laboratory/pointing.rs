@@ -59,7 +59,10 @@ fn a_thing_stays_where_it_is_drawn_when_the_memory_is_looked_at_from_elsewhere()
         laboratory.show(&ts(&layers(stance))).ok().unwrap();
         let story = told(&mut laboratory, r#"{"kind":"surface","number":0}"#).unwrap();
         places.push([number(&story, "x"), number(&story, "y")]);
-        assert_eq!(picked(&laboratory, "\"first\"", places[places.len() - 1], 5.0), Some("surface 0".to_owned()));
+        assert_eq!(
+            picked(&laboratory, "\"first\"", places[places.len() - 1], 5.0),
+            Some("surface 0".to_owned())
+        );
     }
     assert_ne!(places[0], places[1]);
 }
