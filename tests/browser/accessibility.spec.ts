@@ -26,6 +26,17 @@ for (const colorScheme of ['light', 'dark'] as const) {
         expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
       });
 
+      test('axe finds nothing to object to in the text view and a card', async ({ page }) => {
+        await new BenchPage(page).open();
+        await page.keyboard.press('m');
+        const surface = page.getByRole('complementary', { name: 'Text view' }).getByRole('button', { name: /^Surface/ }).first();
+        await expect(surface).toBeVisible();
+        expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+        await surface.click();
+        await expect(page.getByRole('group', { name: /^Surface/ })).toBeVisible();
+        expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+      });
+
       test('nothing hangs over the edge', async ({ page }) => {
         await new BenchPage(page).open();
         const wider = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);

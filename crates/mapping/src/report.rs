@@ -209,6 +209,13 @@ impl StepReport {
         }
     }
 
+    /// The pair that placed the view; `None` where something else did.
+    #[must_use]
+    pub fn reference_target(&self) -> Option<&Reference> {
+        let by_reference = matches!(self.placement, Placement::Reference | Placement::WeakReference);
+        self.references.first().filter(|_| by_reference)
+    }
+
     /// What the step amounts to in the event log, in the order of §3.2.1's steps.
     #[must_use]
     pub fn events(&self) -> Vec<Event> {

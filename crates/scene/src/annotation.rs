@@ -31,6 +31,10 @@ pub enum Annotation {
     Curve,
     /// A point of a curve that matters.
     Mark,
+    /// What somebody points at …
+    Pointed,
+    /// … and what sets it off from what lies beside it.
+    PointedRim,
     /// One of several curves in a plot, by its number.
     Series(usize),
 }
@@ -51,6 +55,12 @@ impl Annotation {
             Self::Grid => Style::line(solid(palette.hairline), 1.0),
             Self::Curve => Style::line(solid(palette.robot), 2.0),
             Self::Mark => Style::points(solid(palette.warning), Sign::Dot(4.5)),
+            Self::Pointed => Style {
+                fill: Some(solid(palette.robot)),
+                sign: Sign::Square(3.5),
+                ..Style::line(solid(palette.robot), 4.0)
+            },
+            Self::PointedRim => Style::line(solid(palette.paper), 8.0),
             Self::Series(number) => {
                 let colour = solid(palette.asrs[number % palette.asrs.len()]);
                 Style { fill: Some(colour), sign: Sign::Dot(3.0), ..Style::line(colour, 2.0) }

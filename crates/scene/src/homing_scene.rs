@@ -99,7 +99,8 @@ pub(crate) fn draw_home(scene: &mut Scene, home: DVec2, text: &str) {
 }
 
 /// Where a robot believes its home to be, in its map.
-pub(crate) fn believed_home(mind: &Mapper) -> Option<DVec2> {
+#[must_use]
+pub fn believed_home(mind: &Mapper) -> Option<DVec2> {
     let first = mind.path().first()?;
     let atlas = Atlas::of(mind);
     let here_from_home = atlas.pose(Anchored { frame: first.frame, value: first.frame_from_robot })?;

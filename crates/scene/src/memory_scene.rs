@@ -168,9 +168,9 @@ fn draw_path(scene: &mut Scene, session: &Session, mapper: usize, robot: Option<
 fn draw_view(scene: &mut Scene, mind: &Mapper, report: &StepReport) {
     let segments: Vec<Segment> =
         report.view.surfaces.iter().map(|surface| report.map_from_robot * surface.segment).collect();
-    let by_reference = matches!(report.placement, Placement::Reference | Placement::WeakReference);
-    let reference = report.references.first().filter(|_| by_reference);
-    let pair = reference.and_then(|best| Some((mind.mfis().get(best.known)?, *segments.get(best.seen)?)));
+    let pair = report
+        .reference_target()
+        .and_then(|best| Some((mind.mfis().get(best.known)?, *segments.get(best.seen)?)));
     scene.changing.push(Item::new(Role::SeenNow, Shape::Segments(segments)));
     scene.explain(Sample::Line(Role::SeenNow), "seen now");
     if let Some((known, seen)) = pair {

@@ -4,7 +4,7 @@ use cogmap_geometry::{DVec2, Segment};
 use cogmap_mapping::{
     Event, Mapper, PathPoint,
     memory::LinkKind,
-    places::{Asr, AsrId, Exit, ExitId, Network, outline},
+    places::{Asr, AsrId, Exit, ExitId, Hypothesis, Network, outline},
 };
 use cogmap_simulation::MapperJournal;
 
@@ -62,14 +62,19 @@ pub fn loops(journal: &MapperJournal, network: &Network) -> BTreeSet<ExitId> {
 }
 
 /// In the map.
-fn placed(exit: &Exit, mind: &Mapper) -> Segment {
+pub(crate) fn placed(exit: &Exit, mind: &Mapper) -> Segment {
     mind.mfis().map_from_frame(exit.frame) * exit.segment
 }
 
-/// Exits that were seen ahead or beside the way, as far as the robot has not gone through them.
+/// Exits that were seen ahead or beside the way, by number, as far as the robot has not gone through them.
+pub(crate) fn supposed(network: &Network) -> impl Iterator<Item = (usize, &Hypothesis)> {
+    let hypotheses = network.hypotheses().iter().enumerate();
+    hypotheses.filter(|(_, it)| it.confirmed.is_none() && it.views >= SURE)
+}
+
 fn draw_supposed_exits(scene: &mut Scene, mind: &Mapper, network: &Network) {
-    let supposed = network.hypotheses().iter().filter(|it| it.confirmed.is_none() && it.views >= SURE);
-    let segments: Vec<_> = supposed.map(|it| mind.mfis().map_from_frame(it.frame) * it.segment).collect();
+    let supposed = supposed(network).map(|(_, it)| mind.mfis().map_from_frame(it.frame) * it.segment);
+    let segments: Vec<_> = supposed.collect();
     if segments.is_empty() {
         return;
     }
@@ -118,7 +123,7 @@ fn draw_edges(scene: &mut Scene, mind: &Mapper, middles: &BTreeMap<AsrId, DVec2>
 
 /// Where each local space stands in the network: the place on the ways through it that is nearest to the
 /// middle of all of them, in the map. A space that the robot was never in is stood for by its entrance.
-fn middles(network: &Network, mind: &Mapper) -> BTreeMap<AsrId, DVec2> {
+pub(crate) fn middles(network: &Network, mind: &Mapper) -> BTreeMap<AsrId, DVec2> {
     let place = |point: &PathPoint| {
         let asr = network.asr_at(point.step)?;
         Some((asr, mind.mfis().map_from_frame(point.frame) * point.frame_from_robot.position))
@@ -166,15 +171,15 @@ fn draw_frames(scene: &mut Scene, mind: &Mapper) {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use cogmap_mapping::MapperSetup;
     use cogmap_simulation::{Command, Robot, Session, SessionRecord, Source, World};
 
     use super::*;
     use crate::memory_scene;
 
-    /// A robot that has driven through a door into another room.
-    fn session(mapper: &str) -> Session {
+    /// A robot that has driven through a door, 4 m ahead of where its map begins, into another room.
+    pub(crate) fn session(mapper: &str) -> Session {
         let world: World = serde_json::from_str(
             r#"{"format": "cogmap-world/1", "name": "Two rooms", "start": {"position": [2, 2.5]},
                 "walls": [[[0,0],[12,0],[12,5],[0,5],[0,0]], [[6,0],[6,2.1]], [[6,2.9],[6,5]]]}"#,

@@ -2,7 +2,7 @@
 
 mod walker;
 
-use cogmap_geometry::{DVec2, Segment};
+use cogmap_geometry::{DVec2, Segment, is_inside};
 use cogmap_simulation::{BoxObstacle, Command, Door, Noise, Room, Session, World, WorldChange};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
@@ -228,20 +228,10 @@ fn places(room: &Room) -> Vec<DVec2> {
     let share = |step: usize| (step as f64 + 0.5) / PLACES as f64;
     let all = (0..PLACES * PLACES).map(|n| DVec2::new(share(n % PLACES), share(n / PLACES)));
     let mut places: Vec<DVec2> =
-        all.map(|shares| low + (high - low) * shares).filter(|place| is_within(*place, &corners)).collect();
+        all.map(|shares| low + (high - low) * shares).filter(|place| is_inside(&corners, *place)).collect();
     let middle = low.midpoint(high);
     places.sort_by(|one, other| one.distance_squared(middle).total_cmp(&other.distance_squared(middle)));
     places
-}
-
-/// Whether a point lies within an outline: a ray to the right crosses it an odd number of times.
-fn is_within(point: DVec2, corners: &[DVec2]) -> bool {
-    let next = corners.iter().cycle().skip(1);
-    let crossings = corners.iter().zip(next).filter(|(a, b)| {
-        let beside = (a.y > point.y) != (b.y > point.y);
-        beside && a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y) > point.x
-    });
-    crossings.count() % 2 == 1
 }
 
 #[cfg(test)]

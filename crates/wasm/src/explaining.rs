@@ -140,12 +140,10 @@ fn placed(report: &StepReport, mind: &Mapper) -> Vec<StageReport> {
     let is_known = |index: &usize| report.matches.iter().any(|pair| pair.seen == *index);
     let ignored = (0..report.view.surfaces.len()).filter(|index| !placed.contains(index));
     let (known, others): (Vec<usize>, Vec<usize>) = ignored.partition(is_known);
-    let by_reference = matches!(report.placement, Placement::Reference | Placement::WeakReference);
-    let reference = report.references.first().filter(|_| by_reference);
     let mut stages = vec![StageReport::Placed {
         surfaces: report.placed.iter().map(|id| id.0).collect(),
         by: placement(report.placement),
-        reference: reference.map(|best| best.known.0),
+        reference: report.reference_target().map(|best| best.known.0),
     }];
     if !(known.is_empty() && others.is_empty()) {
         stages.push(StageReport::Ignored { known: known.len(), others: others.len() });

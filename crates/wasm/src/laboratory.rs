@@ -1,6 +1,7 @@
 mod drafting;
 mod looking;
 mod plotting;
+mod pointing;
 mod saving;
 
 use std::collections::BTreeMap;
@@ -17,6 +18,7 @@ use crate::{
     landmarks::Landmark,
     opening,
     order::Order,
+    remembered::Remembered,
     run::Run,
     scenes::scene,
     setup::{Choices, Opening, Setup},
@@ -37,6 +39,8 @@ pub struct Laboratory {
     stance: Stance,
     /// The stage of the latest step that is pointed out, and in which view.
     pointed: Option<(View, StageKind)>,
+    /// The thing of a memory that is set off from the rest, and in which view.
+    set_off: Option<(View, Remembered)>,
     canvases: BTreeMap<View, Canvas>,
 }
 
@@ -183,7 +187,15 @@ impl Laboratory {
         for view in all_views(&run) {
             views.make_room(&scene(run.session(), view, shown));
         }
-        Self { run, views, shown, stance: Stance::Map, pointed: None, canvases: BTreeMap::new() }
+        Self {
+            run,
+            views,
+            shown,
+            stance: Stance::Map,
+            pointed: None,
+            set_off: None,
+            canvases: BTreeMap::new(),
+        }
     }
 }
 

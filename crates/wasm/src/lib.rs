@@ -11,6 +11,7 @@
 
 mod alteration;
 mod canvas;
+mod contents;
 mod courses;
 mod draft;
 mod explaining;
@@ -26,6 +27,7 @@ mod memories;
 mod opening;
 mod order;
 mod plots;
+mod remembered;
 mod resumption;
 mod run;
 mod scenes;
@@ -33,11 +35,13 @@ mod schematic;
 mod setup;
 mod stance;
 mod status;
+mod story;
 #[cfg(test)]
 mod two_rooms;
 mod views;
 
 pub use alteration::{Alteration, Objection, Tool};
+pub use contents::{Bearing, Contents, NearSurface, Place, SupposedExit, WayOut, Whereabouts};
 pub use draft::{Checked, Draft, Fault, Thing};
 pub use explanation::{
     AlongKind, Candidate, Corrected, Explanation, FittingPair, ReferenceReport, StageKind, StageReport,
@@ -49,6 +53,7 @@ pub use layers::{Colours, Layers};
 pub use look::Look;
 pub use order::Order;
 pub use plots::{Curve, Narrow, OffCurve, Plots, WidenessCurve};
+pub use remembered::{Remembered, RememberedKind, Walk};
 pub use resumption::{Kept, KnownBuilding};
 pub use schematic::{Neighbour, Schematic, SchematicExit, SchematicPlace};
 pub use setup::{Choices, Opening, Setup};
@@ -56,4 +61,5 @@ pub use status::{
     BuildingStatus, Changed, DoorStatus, Ending, Happened, Happening, HomingStatus, LastView, Lead,
     MemoryStatus, Offset, PlacementKind, ReferencePair, SourceKind, Status,
 };
+pub use story::{AsrFacts, ExitFacts, Facts, Occasion, SupposedFacts, SurfaceFacts, Told};
 pub use views::View;

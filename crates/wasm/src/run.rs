@@ -2,6 +2,7 @@ mod altering;
 mod deeds;
 mod keeping;
 mod plotting;
+mod telling;
 
 use cogmap_geometry::Pose;
 use cogmap_mapping::MapperSetup;

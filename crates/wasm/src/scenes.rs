@@ -1,7 +1,7 @@
 use cogmap_geometry::{DVec2, Pose};
 use cogmap_scene::{
-    Item, LegendEntry, MemoryOptions, Role, Sample, Scene, Shape, Stage, WorldOptions, memory_scene,
-    point_out, world_scene,
+    Item, LegendEntry, MemoryOptions, Role, Sample, Scene, Shape, Stage, Thing, WorldOptions, memory_scene,
+    point_out, set_off, world_scene,
 };
 use cogmap_simulation::Session;
 
@@ -38,6 +38,19 @@ pub(crate) fn explained(
     let mut scene = memory_scene(session, mapper, MemoryOptions { view: false, ..options });
     point_out(&mut scene, session, mapper, stage);
     scene
+}
+
+/// Sets a thing of a mapper's memory off, above everything that changes in a picture of it.
+pub(crate) fn accentuate(
+    scene: &mut Scene,
+    session: &Session,
+    mapper: usize,
+    thing: Thing,
+    view_from_map: Pose,
+) {
+    let mut accents = Scene::default();
+    set_off(&mut accents, session, mapper, thing);
+    scene.changing.extend(accents.seen_from(view_from_map).changing);
 }
 
 /// Where the frame of a mapper's memory lies in the world, or in the odometry's frame where there is

@@ -4,8 +4,10 @@ mod layout;
 
 use std::collections::BTreeMap;
 
-use cogmap_geometry::DVec2;
-use cogmap_mapping::places::{Asr, Exit, Network, outline};
+use cogmap_mapping::{
+    Mapper,
+    places::{Asr, Exit, Network, outline},
+};
 use cogmap_scene::loops;
 use cogmap_simulation::Session;
 use serde::Serialize;
@@ -102,7 +104,7 @@ pub(crate) fn schematic(
             column,
             row,
             current: network.current() == asr.id,
-            area: area(&outline(asr, network, mind.memory())),
+            area: floor_area(asr, network, mind),
             surfaces: network.surfaces_of(asr.id).len(),
             behind: entrance(asr, network),
             exits: neighbours(asr, network),
@@ -141,18 +143,19 @@ fn rows(grid: &BTreeMap<u32, Cell>) -> usize {
 }
 
 /// The exit that was found in the very view in which the space was opened.
-fn entrance(asr: &Asr, network: &Network) -> Option<u32> {
+pub(crate) fn entrance(asr: &Asr, network: &Network) -> Option<u32> {
     let exits = asr.exits.iter().filter_map(|id| network.exit(*id));
     exits.into_iter().find(|exit| asr.id.0 > 0 && exit.step == asr.step).map(|exit| exit.id.0)
 }
 
-fn neighbours(asr: &Asr, network: &Network) -> Vec<Neighbour> {
+pub(crate) fn neighbours(asr: &Asr, network: &Network) -> Vec<Neighbour> {
     let exits = asr.exits.iter().filter_map(|id| network.exit(*id));
     exits.filter_map(|exit| Some(Neighbour { exit: exit.id.0, asr: exit.leads_from(asr.id)?.0 })).collect()
 }
 
-/// What a polygon encloses, counter-clockwise.
-fn area(corners: &[DVec2]) -> f64 {
+/// The area of a space's floor as far as it was seen, square metres.
+pub(crate) fn floor_area(asr: &Asr, network: &Network, mind: &Mapper) -> f64 {
+    let corners = outline(asr, network, mind.memory());
     let next = corners.iter().cycle().skip(1);
     corners.iter().zip(next).map(|(a, b)| 0.5 * a.perp_dot(*b)).sum::<f64>().abs()
 }

@@ -130,6 +130,12 @@ impl Views {
         self.chosen = None;
     }
 
+    /// The pixel of a view at which a point of the plane appears.
+    pub(crate) fn to_pixels(&self, view: View, point: DVec2) -> DVec2 {
+        let size = self.size(view);
+        self.camera().to_pixels(point, size.x, size.y)
+    }
+
     /// The point of the plane at a pixel of a view.
     pub(crate) fn to_metres(&self, view: View, pixel: DVec2) -> DVec2 {
         let size = self.size(view);

@@ -2,7 +2,12 @@
 export interface Gestures {
   drag: (x: number, y: number) => void;
   zoom: (factor: number, x: number, y: number) => void;
-  tap?: (x: number, y: number) => void;
+  /** `coarse` where a finger did it. */
+  tap?: (x: number, y: number, coarse: boolean) => void;
+  /** A pointer passes over the view with nothing pressed … */
+  hover?: (x: number, y: number) => void;
+  /** … and has gone. */
+  leave?: () => void;
 }
 
 /** A pointer that moved less than this, in pixels, has tapped. */
@@ -27,6 +32,7 @@ export function gestures(take: Gestures): (node: HTMLElement) => () => void {
     node.addEventListener('pointermove', (event) => hands.move(event), options);
     node.addEventListener('pointerup', (event) => hands.up(event, true), options);
     node.addEventListener('pointercancel', (event) => hands.up(event, false), options);
+    node.addEventListener('pointerleave', () => take.leave?.(), options);
     node.addEventListener('wheel', (event) => hands.wheel(event), { ...options, passive: false });
     return () => abort.abort();
   };
@@ -50,8 +56,11 @@ class Hands {
 
   move(event: PointerEvent): void {
     const from = this.pointers.get(event.pointerId);
-    if (!from) return;
     const to = this.point(event);
+    if (!from) {
+      if (event.buttons === 0 && event.pointerType !== 'touch') this.take.hover?.(to.x, to.y);
+      return;
+    }
     const [dx, dy] = [to.x - from.x, to.y - from.y];
     this.travelled += Math.abs(dx) + Math.abs(dy);
     const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
@@ -67,7 +76,7 @@ class Hands {
       return;
     }
     const { x, y } = this.point(event);
-    if (done && this.travelled <= TAP_DISTANCE) this.take.tap?.(x, y);
+    if (done && this.travelled <= TAP_DISTANCE) this.take.tap?.(x, y, event.pointerType === 'touch');
   }
 
   wheel(event: WheelEvent): void {

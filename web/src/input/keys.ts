@@ -25,6 +25,7 @@ export type Action =
   | 'branch'
   | 'change'
   | 'plots'
+  | 'text'
   | 'edit'
   | 'why'
   | 'markOn'
@@ -70,6 +71,7 @@ const ACTIONS: Record<string, Action> = {
   v: 'branch',
   b: 'change',
   l: 'plots',
+  m: 'text',
   u: 'edit',
   y: 'why',
   k: 'whyOn',

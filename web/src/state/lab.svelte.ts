@@ -4,13 +4,15 @@ import { Keeping } from '../keep/keeping.svelte';
 import { Sharing } from '../keep/sharing.svelte';
 import { strings } from '../strings';
 import type { Bench } from '../worker/bench';
-import { GENERATED, type Choice, type FileKind, type KeptSituation, type Notice, type Offer, type Pace, type Saved, type View } from '../worker/protocol';
+import type { Choice, FileKind, KeptSituation, Notice, Offer, Pace, Saved, View } from '../worker/protocol';
 import type { Order, Status } from '../wasm/cogmap_wasm';
 import { Changing } from './changing.svelte';
 import { Editing } from './editing.svelte';
 import { Plotting } from './plotting.svelte';
+import { Pointing } from './pointing.svelte';
 import { brought, save } from './save';
 import { Showing } from './showing.svelte';
+import { TextView } from './text.svelte';
 import { Timeline } from './timeline.svelte';
 import { Why } from './why.svelte';
 import { isCrash, reason, Workshop } from './workshop';
@@ -56,13 +58,6 @@ export class Lab {
   /** The robot on its way home, while it is. */
   readonly going = $derived(this.status?.homing?.ended === undefined ? this.status?.homing : undefined);
 
-  /** What is worth knowing about the building of the page's that the robot is in. */
-  readonly about = $derived.by(() => {
-    if (!this.status || this.status.foreign) return undefined;
-    if (this.choice.world === GENERATED) return strings.setup.generatedHint;
-    return this.offer?.worlds.find(({ file }) => file === this.choice.world)?.description;
-  });
-
   /** The mappers whose memories are shown. */
   readonly mappers = $derived(this.status?.memories.map(({ mapper }) => mapper) ?? []);
   /** The views on the page; at first the memory, until it is known how many there are. */
@@ -74,12 +69,15 @@ export class Lab {
   /** What was done to the building or the robot just now. */
   readonly changed = $derived(this.status && this.timeline.done(this.status));
   readonly changing = new Changing((alteration) => this.bench.alter(alteration));
-  readonly plotting = new Plotting((places) => this.bench.plots(places), () => this.why.view && this.why.close());
+  readonly plotting = new Plotting((places) => this.bench.telling.plots(places), () => this.makeRoom());
+  readonly text = new TextView((view, most) => this.bench.telling.contents(view, most), () => this.makeRoom());
+  readonly pointing = new Pointing((asked, view, to) => this.bench.telling.point(asked, view, to));
 
   /** The step that is taken apart. */
   readonly why = new Why({
-    explain: (view, stage) => this.bench.explain(view, stage),
+    explain: (view, stage) => this.bench.telling.explain(view, stage),
     toView: (by) => (by < 0 ? this.bench.previous() : this.bench.next()),
+    opening: () => (this.plotting.close(), this.text.close(), void this.bench.play(false)),
   });
 
   /** Counts the workers: each needs canvases of its own, which a page can hand over only once. */
@@ -160,6 +158,7 @@ export class Lab {
     }
     this.showing.renew();
     this.why.close();
+    this.pointing.close();
     await this.keeping.recover();
   };
 
@@ -281,18 +280,19 @@ export class Lab {
     }
   }
 
-  /** Asks why a memory is as it is, and stops time for the answer; asked again, goes on. */
-  askWhy(view: View): void {
-    if (this.why.view === view) return this.why.close();
-    void this.bench.play(false);
-    this.why.open(view);
+  /** Closes the panel that stands beside the views: another one is about to. */
+  private makeRoom(): void {
+    if (this.why.view) this.why.close();
+    this.plotting.close();
+    this.text.close();
   }
 
-  private hear({ status, playing, pace, marks, why }: Notice): void {
+  private hear({ status, playing, pace, marks, why, pointed }: Notice): void {
     this.timeline.hear(marks);
     this.status = status;
     if (this.why.view && !status.memories.some(({ view }) => view === this.why.view)) this.why.close();
     this.why.hear(why);
+    this.pointing.hear(pointed);
     this.playing = playing;
     this.pace = pace;
   }

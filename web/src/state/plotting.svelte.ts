@@ -1,5 +1,6 @@
 import type { Curve, Plots, Schematic } from '../wasm/cogmap_wasm';
 import type { Plotted, View } from '../worker/protocol';
+import { Inquiry } from './inquiry';
 
 /** The least time between two questions to the laboratory, milliseconds. */
 const INTERVAL = 300;
@@ -12,11 +13,7 @@ export class Plotting {
   plots = $state.raw<Plots>();
   schematic = $state.raw<Schematic>();
   private chosen = $state<View>();
-  private asked = 0;
-  private timer: ReturnType<typeof setTimeout> | undefined;
-  /** The question that is not answered yet; a new worker will never answer those to an old one. */
-  private asking: symbol | undefined;
-  private stale = false;
+  private readonly inquiry: Inquiry<{ places: View | undefined; told: Plotted | undefined }>;
 
   /** The mappers that know what a local space is. */
   readonly knowing = $derived<Curve[]>(this.plots?.curves.filter(({ wideness }) => wideness) ?? []);
@@ -25,9 +22,19 @@ export class Plotting {
 
   /** `ask` gives the curves and, for a memory, its places; `opening` is called before the panel comes. */
   constructor(
-    private readonly ask: (places: View | undefined) => Promise<Plotted | undefined>,
+    ask: (places: View | undefined) => Promise<Plotted | undefined>,
     private readonly opening: () => void,
-  ) {}
+  ) {
+    const question = async () => {
+      const places = this.page === 'places' ? (this.shown?.view ?? 'first') : undefined;
+      return { places, told: await ask(places) };
+    };
+    const take = ({ places, told }: { places: View | undefined; told: Plotted | undefined }) => {
+      this.plots = told?.plots;
+      if (places) this.schematic = told?.schematic;
+    };
+    this.inquiry = new Inquiry(INTERVAL, question, take, () => this.open);
+  }
 
   toggle = (): void => {
     if (!this.open) this.opening();
@@ -50,29 +57,8 @@ export class Plotting {
   }
 
   /** Asks for what is new as soon as it is time to. */
-  refresh(): void {
-    this.stale = true;
-    if (this.asking || this.timer !== undefined) return;
-    this.timer = setTimeout(() => void this.answer(), Math.max(0, this.asked + INTERVAL - performance.now()));
-  }
+  refresh = (): void => this.inquiry.refresh();
 
   /** Asks another worker. */
-  renew(): void {
-    this.asking = undefined;
-    this.refresh();
-  }
-
-  private async answer(): Promise<void> {
-    this.timer = undefined;
-    this.stale = false;
-    this.asked = performance.now();
-    const asking = (this.asking = Symbol('asking'));
-    const places = this.page === 'places' ? (this.shown?.view ?? 'first') : undefined;
-    const told = await this.ask(places);
-    if (this.asking !== asking) return;
-    this.asking = undefined;
-    this.plots = told?.plots;
-    if (places) this.schematic = told?.schematic;
-    if (this.stale && this.open) this.refresh();
-  }
+  renew = (): void => this.inquiry.renew();
 }

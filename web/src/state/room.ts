@@ -5,3 +5,6 @@ export const wide = new MediaQuery('width >= 75rem');
 
 /** Whether there is room for words beside the set-up: on a wide page, and on a narrow one, where it is folded up. */
 export const wordy = new MediaQuery('(width >= 75rem) or (width < 62rem)');
+
+/** Whether panels and cards are sheets over the page, as on a phone. */
+export const phone = new MediaQuery('width < 48rem');

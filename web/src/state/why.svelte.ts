@@ -7,6 +7,8 @@ export interface Explainer {
   explain(view: View | undefined, stage?: StageReport['kind']): Promise<void>;
   /** Goes to the view before or after. */
   toView(by: -1 | 1): Promise<void>;
+  /** Stops time for the answer, and makes room for it. */
+  opening(): void;
 }
 
 /** The step that is taken apart, and how far one has walked through it. */
@@ -20,7 +22,10 @@ export class Why {
 
   constructor(private readonly explainer: Explainer) {}
 
-  open(view: View): void {
+  /** Asks why a memory is as it is; asked again, goes on. */
+  ask(view: View): void {
+    if (this.view === view) return this.close();
+    this.explainer.opening();
     this.view = view;
     this.arriving = 'first';
     this.tell(undefined);

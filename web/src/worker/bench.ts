@@ -1,10 +1,12 @@
-import { Laboratory, type Alteration, type Layers, type Look, type Objection, type Order, type StageKind, type Status } from '../wasm/cogmap_wasm';
+import { proxy } from 'comlink';
+import { Laboratory, type Alteration, type Layers, type Look, type Objection, type Order, type Status } from '../wasm/cogmap_wasm';
 import { begun, chosen } from './choice';
 import * as engine from './engine';
 import { hold } from './lifeline';
 import { Player } from './player';
-import type { Brought, Choice, Moment, Notice, Offer, Pace, Plotted, Resumable, Resumed, Saved, View } from './protocol';
+import type { Brought, Choice, Moment, Notice, Offer, Pace, Resumable, Resumed, Saved, View } from './protocol';
 import { archive, drawingOf, mapOf, sessionOf, tableOf } from './saving';
+import { Telling } from './telling';
 import { everyText, worlds } from './worlds';
 
 /** The bench on which the laboratory stands: everything here happens off the page's main thread. */
@@ -16,6 +18,8 @@ export class Bench {
   /** Which run is to begin, of those that were wished for. */
   private wish: symbol | undefined;
   private readonly player = new Player();
+  /** What is asked about the run. */
+  readonly telling = proxy(new Telling(this.player));
   private layers: Layers | undefined;
 
   /** Loads the engine. `name` is held for as long as the worker lives; `keep` gets what is to be kept. */
@@ -177,18 +181,6 @@ export class Bench {
     this.player.play(false);
     this.laboratory?.back_to_previous_view();
     this.player.touch();
-  }
-
-  /** Takes the latest step of a memory apart and points one of its stages out; without a memory, no longer. */
-  explain(view: View | undefined, stage: StageKind | undefined): void {
-    this.player.explained = view;
-    this.laboratory?.point_out(view ?? 'world', stage);
-    this.player.refresh();
-  }
-
-  /** What can be plotted of the run at hand and, for a memory, its places as a schematic. */
-  plots(places: View | undefined): Plotted | undefined {
-    return this.laboratory && { plots: this.laboratory.plots(), schematic: places && this.laboratory.schematic(places) };
   }
 
   /**

@@ -71,8 +71,14 @@ export class Easel {
 
   /** Paints every view; returns whether one of them needed more room than those before it were given. */
   private paintAll(laboratory: Laboratory): boolean {
+    return this.paintOnly(laboratory, new Set(this.sheets.keys()));
+  }
+
+  /** The same with some of the views. */
+  paintOnly(laboratory: Laboratory, views: Set<View>): boolean {
     let moved = false;
     for (const [view, { context }] of this.sheets) {
+      if (!views.has(view)) continue;
       moved = laboratory.paint(view, context, this.look, this.density) || moved;
     }
     return moved;

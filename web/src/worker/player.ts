@@ -17,6 +17,8 @@ export class Player {
   resuming = false;
   /** The memory whose latest step is taken apart. */
   explained: View | undefined;
+  /** The number of the latest question about what is pointed at. */
+  asked = 0;
   readonly easel = new Easel();
   private readonly clock = new Clock((elapsed, now) => this.turn(elapsed, now));
   private readonly keeper = new Keeper(() => (this.resuming ? undefined : this.laboratory && momentOf(this.laboratory)));
@@ -88,6 +90,11 @@ export class Player {
     if (this.laboratory) this.easel.paintNow(this.laboratory);
   }
 
+  /** Paints some of the views at once, unless all are about to be painted. */
+  repaint(views: Set<View>): void {
+    if (this.laboratory && !this.easel.stale && this.easel.paintOnly(this.laboratory, views)) this.refresh();
+  }
+
   /** One turn of the clock: time passes, and what changed is shown. */
   private turn(elapsed: number, now: number): boolean {
     const laboratory = this.laboratory;
@@ -111,8 +118,9 @@ export class Player {
     this.noticed = now;
     const status = this.laboratory.status();
     const why = this.explained && this.laboratory.explain(this.explained);
+    const pointed = { asked: this.asked, told: this.laboratory.told() };
     const playing = this.playing || this.hurry !== undefined;
     const marks = this.laboratory.landmarks();
-    this.listen({ status, playing, pace: this.paces[status.source], marks, why });
+    this.listen({ status, playing, pace: this.paces[status.source], marks, why, pointed });
   }
 }

@@ -1,4 +1,4 @@
-import type { Choices, Explanation, Landmark, Plots, Schematic, Status } from '../wasm/cogmap_wasm';
+import type { Choices, Explanation, Landmark, Plots, Remembered, Schematic, Status, Told, Walk } from '../wasm/cogmap_wasm';
 
 export type { Layers, View } from '../wasm/cogmap_wasm';
 
@@ -67,8 +67,13 @@ export interface Notice {
   marks: Landmark[];
   /** The step that is taken apart, where one is. */
   why: Explanation | undefined;
+  /** What is known about what is pointed at, and the number of the question that it answers. */
+  pointed: { asked: number; told: Told | undefined };
   pace: Pace;
 }
+
+/** What of a memory is pointed at: what lies at a place of its view, a thing, or what a walk leads to. */
+export type Target = { x: number; y: number; reach: number } | { thing: Remembered } | { walk: Walk };
 
 /** What is plotted of a run. */
 export interface Plotted {

@@ -126,8 +126,7 @@ impl Pointer<'_> {
     }
 
     pub(super) fn placed(&mut self) {
-        let by_reference = matches!(self.report.placement, Placement::Reference | Placement::WeakReference);
-        if let Some(best) = self.report.references.first().filter(|_| by_reference) {
+        if let Some(best) = self.report.reference_target() {
             self.pair(best.seen, best.known);
         } else if self.report.placement == Placement::Consensus {
             self.together();

@@ -1,4 +1,4 @@
-use cogmap_geometry::DVec2;
+use cogmap_geometry::{DVec2, is_inside};
 use serde::{Deserialize, Serialize};
 
 use super::Rate;
@@ -85,15 +85,6 @@ pub fn score_exits(truth: &[Doorway], found: &[Doorway]) -> ExitScore {
         precision: Rate { hits, runs: found.len() as u64 },
         errors,
     }
-}
-
-/// Whether a point lies in a polygon: a ray from it crosses the outline an odd number of times.
-fn is_inside(outline: &[DVec2], point: DVec2) -> bool {
-    let edges = outline.iter().zip(outline.iter().cycle().skip(1));
-    let crosses = |(a, b): &(&DVec2, &DVec2)| {
-        (a.y > point.y) != (b.y > point.y) && point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y)
-    };
-    edges.filter(crosses).count() % 2 == 1
 }
 
 #[cfg(test)]

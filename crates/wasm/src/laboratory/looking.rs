@@ -1,4 +1,4 @@
-use cogmap_geometry::{DVec2, Pose};
+use cogmap_geometry::DVec2;
 use cogmap_scene::{Scene, Sheet};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::{JsError, prelude::wasm_bindgen};
@@ -12,7 +12,7 @@ use crate::{
     failure::Failure,
     layers::Layers,
     look::Look,
-    scenes::{explained, scene, shared_from_map, with_left_ways},
+    scenes::{accentuate, explained, scene, with_left_ways},
     stance::Stance,
     views::View,
 };
@@ -111,7 +111,7 @@ impl Laboratory {
         density: f64,
     ) -> Result<bool, JsError> {
         let (view, look) = (view.to_rust()?, look.to_rust()?);
-        let scene = self.scene(view);
+        let mut scene = self.scene(view);
         let DVec2 { x: width, y: height } = self.views.size(view);
         let legend = self.views.has_legend(view);
         let sheet =
@@ -122,6 +122,8 @@ impl Laboratory {
             self.views.make_room(&scene);
         }
         self.views.make_room_for_legend(sheet.strip(&scene));
+        // What is set off has no room made for it: the picture would jump under whoever points.
+        self.accentuate(view, &mut scene);
         let camera = self.views.camera();
         let place = Place { corner: DVec2::ZERO, density };
         let canvas = self.canvases.entry(view).or_default();
@@ -159,11 +161,16 @@ impl Laboratory {
         let Some(mapper) = view.mapper() else {
             return with_left_ways(scene(session, view, self.shown), self.run.left_ways());
         };
-        let middle = self.views.camera().center;
-        let place = self.stance.view_from_map(session, mapper, middle).or(shared_from_map(session, mapper));
-        let place = place.unwrap_or(Pose::IDENTITY);
         let pointed = self.pointed.filter(|(pointed, _)| *pointed == view);
         let stage = pointed.map(|(_, stage)| stage.stage());
-        explained(session, mapper, stage, self.shown).seen_from(place)
+        explained(session, mapper, stage, self.shown).seen_from(self.view_from_map(mapper))
+    }
+
+    /// Sets off in the picture of a view what is to be set off in it.
+    fn accentuate(&self, view: View, scene: &mut Scene) {
+        let set_off_here = self.set_off.filter(|(other, _)| *other == view);
+        if let (Some(mapper), Some((_, thing))) = (view.mapper(), set_off_here) {
+            accentuate(scene, self.run.session(), mapper, thing.into(), self.view_from_map(mapper));
+        }
     }
 }

@@ -7,6 +7,7 @@ mod files;
 mod homing;
 mod keeping;
 mod plots;
+mod pointing;
 mod same_bytes;
 
 use cogmap_wasm::Laboratory;

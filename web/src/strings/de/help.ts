@@ -32,6 +32,7 @@ export const help = {
     { keys: ['Y'], does: 'warum? Den letzten Schritt zerlegen' },
     { keys: ['J', 'K'], does: 'vorige, nächste Stufe dieses Schritts' },
     { keys: ['L'], does: 'Diagramme: Weite, Fehler und Flächen im Lauf der Fahrt, und die Räume als Schema' },
+    { keys: ['M'], does: 'das Gedächtnis in Worten: wo der Roboter ist, Räume, Ausgänge und Flächen' },
     { keys: ['T'], does: 'hell oder dunkel' },
     { keys: ['Esc'], does: 'schließen, was offen ist, oder eine Aufzeichnung abbrechen' },
     { keys: ['?'], does: 'diese Liste' },

@@ -32,6 +32,7 @@ export const help = {
     { keys: ['Y'], does: 'why? Take the latest step apart' },
     { keys: ['J', 'K'], does: 'stage before, next stage of that step' },
     { keys: ['L'], does: 'plots: wideness, errors and surfaces along the run, and the places as a schematic' },
+    { keys: ['M'], does: 'what the memory holds in words: where the robot is, places, exits and surfaces' },
     { keys: ['T'], does: 'light or dark' },
     { keys: ['Esc'], does: 'close what is open, or cancel a log' },
     { keys: ['?'], does: 'this list' },

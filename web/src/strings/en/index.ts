@@ -4,6 +4,7 @@ import { help } from './help';
 import { keeping } from './keeping';
 import { plots } from './plots';
 import { seeing } from './seeing';
+import { telling } from './telling';
 import { why } from './why';
 
 /** Every word on the page, in English: what the other catalogues are written after. */
@@ -18,6 +19,7 @@ export const en = {
   ...changing,
   why,
   plots,
+  ...telling,
   ...keeping,
   help,
 } as const;

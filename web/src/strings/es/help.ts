@@ -32,6 +32,7 @@ export const help = {
     { keys: ['Y'], does: '¿por qué? Desmontar el último paso' },
     { keys: ['J', 'K'], does: 'fase anterior, fase siguiente de ese paso' },
     { keys: ['L'], does: 'gráficas: anchura, errores y superficies a lo largo del recorrido, y los lugares en un esquema' },
+    { keys: ['M'], does: 'la memoria en palabras: dónde está el robot, lugares, salidas y superficies' },
     { keys: ['T'], does: 'claro u oscuro' },
     { keys: ['Esc'], does: 'cerrar lo que esté abierto, o cancelar una grabación' },
     { keys: ['?'], does: 'esta lista' },

@@ -5,6 +5,7 @@ import { help } from './help';
 import { keeping } from './keeping';
 import { plots } from './plots';
 import { seeing } from './seeing';
+import { telling } from './telling';
 import { why } from './why';
 
 /** Every word on the page, in Spanish. */
@@ -19,6 +20,7 @@ export const es: Strings = {
   ...changing,
   why,
   plots,
+  ...telling,
   ...keeping,
   help,
 };
