@@ -1,4 +1,4 @@
-import { transfer, type Remote } from 'comlink';
+import type { Remote } from 'comlink';
 import type { Address } from '../keep/address';
 import { Keeping } from '../keep/keeping.svelte';
 import { Sharing } from '../keep/sharing.svelte';
@@ -6,6 +6,7 @@ import { strings } from '../strings';
 import type { Bench } from '../worker/bench';
 import { GENERATED, type Choice, type FileKind, type KeptSituation, type Notice, type Offer, type Pace, type Saved, type View } from '../worker/protocol';
 import type { Order, Status } from '../wasm/cogmap_wasm';
+import { Bringing } from './bringing.svelte';
 import { Changing } from './changing.svelte';
 import { Editing } from './editing.svelte';
 import { Plotting } from './plotting.svelte';
@@ -74,6 +75,7 @@ export class Lab {
   /** What was done to the building or the robot just now. */
   readonly changed = $derived(this.status && this.timeline.done(this.status));
   readonly changing = new Changing((alteration) => this.bench.alter(alteration));
+  readonly bringing = new Bringing(this, () => this.bench);
   readonly plotting = new Plotting((places) => this.bench.plots(places), () => this.why.view && this.why.close());
 
   /** The step that is taken apart. */
@@ -192,27 +194,7 @@ export class Lab {
   }
 
   /** Opens files that somebody brought. */
-  async open(files: File[]): Promise<void> {
-    const [first] = files;
-    if (!first || this.reading) return;
-    this.refusal = undefined;
-    this.reading = first.name;
-    await this.ask(async () => {
-      const opened = files.slice(0, 2);
-      const contents = await Promise.all(opened.map(brought));
-      const buffers = contents.map(({ bytes }) => bytes.buffer);
-      const before = this.files;
-      this.files = opened;
-      try {
-        await this.bench.open(transfer(contents, buffers), this.choice);
-      } catch (error) {
-        this.files = before;
-        throw error;
-      }
-      this.driven = true;
-    });
-    this.reading = undefined;
-  }
+  open = (files: File[]): Promise<void> => this.bringing.open(files);
 
   order(order: Order): void {
     if (this.status?.source !== 'world' || this.editing.open) return;
@@ -271,7 +253,8 @@ export class Lab {
     await this.ask(async () => save(await make()));
   }
 
-  private async ask(work: () => Promise<void>): Promise<void> {
+  /** Does something that may be refused, and says why it was. */
+  async ask(work: () => Promise<void>): Promise<void> {
     try {
       await work();
       this.refusal = undefined;

@@ -1,5 +1,5 @@
 import init, { Laboratory, type Alteration, type Layers, type Look, type Objection, type Order, type StageKind, type Status } from '../wasm/cogmap_wasm';
-import { begun, chosen } from './choice';
+import { begun, chosen, opened } from './choice';
 import { hold } from './lifeline';
 import { Player } from './player';
 import type { Brought, Choice, Moment, Notice, Offer, Pace, Plotted, Resumable, Resumed, Saved, View } from './protocol';
@@ -276,9 +276,7 @@ export class Bench {
 
   private read([first, second]: Brought[], choice: Choice): void {
     if (!first) return;
-    const { robot, mappers, seed } = choice;
-    const opened = Laboratory.open({ name: first.name, robot, mappers, seed }, first.bytes, second?.bytes);
-    const left = this.use(opened);
+    const left = this.use(opened(choice, first, second));
     if (left && !this.before) this.before = left;
     else left?.free();
     this.player.touch();
