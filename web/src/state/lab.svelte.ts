@@ -8,6 +8,7 @@ import { GENERATED, type Choice, type FileKind, type KeptSituation, type Notice,
 import type { Order, Status } from '../wasm/cogmap_wasm';
 import { Bringing } from './bringing.svelte';
 import { Changing } from './changing.svelte';
+import { Dividing } from './dividing.svelte';
 import { Editing } from './editing.svelte';
 import { Plotting } from './plotting.svelte';
 import { brought, save } from './save';
@@ -44,6 +45,8 @@ export class Lab {
 
   /** How the views show what there is. */
   readonly showing = new Showing(() => this.bench);
+  /** Where the divider between the views stands. */
+  readonly dividing = new Dividing();
   /** What the timeline marks. */
   readonly timeline = new Timeline();
 

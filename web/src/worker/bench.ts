@@ -209,7 +209,7 @@ export class Bench {
   resize(view: View, width: number, height: number, density: number): void {
     this.player.easel.resize(view, width, height, density);
     this.laboratory?.resize(view, width, height);
-    this.player.paint();
+    this.player.refresh();
   }
 
   setLook(look: Look): void {

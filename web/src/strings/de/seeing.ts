@@ -109,5 +109,12 @@ export const seeing = {
 
   by: (mapper: string, said: string) => `${mapper}: ${said}`,
 
+  divider: {
+    name: (view: string) => `Größe von „${view}“`,
+    share: (percent: number) => `${percent} % des Platzes`,
+    folded: { first: 'eingeklappt', others: 'der ganze Platz' },
+    hint: 'Ziehen gibt einer Seite mehr Platz, bis an den Rand klappt es sie ein; ein Doppelklick teilt gleich. Tasten: Pfeile, Eingabe',
+  },
+
   zoom: { title: 'Vergrößerung', in: 'Vergrößern', out: 'Verkleinern', fit: 'Alles zeigen' },
 } as const;

@@ -109,5 +109,12 @@ export const seeing = {
 
   by: (mapper: string, said: string) => `${mapper}: ${said}`,
 
+  divider: {
+    name: (view: string) => `Size of “${view}”`,
+    share: (percent: number) => `${percent} % of the room`,
+    folded: { first: 'folded away', others: 'all of the room' },
+    hint: 'Drag to give one side more room, to the edge to fold it away; double-click for equal shares. Keys: arrows, Enter',
+  },
+
   zoom: { title: 'Zoom', in: 'Zoom in', out: 'Zoom out', fit: 'Show everything' },
 } as const;

@@ -109,5 +109,12 @@ export const seeing = {
 
   by: (mapper: string, said: string) => `${mapper}: ${said}`,
 
+  divider: {
+    name: (view: string) => `Tamaño de «${view}»`,
+    share: (percent: number) => `${percent} % del espacio`,
+    folded: { first: 'plegado', others: 'todo el espacio' },
+    hint: 'Arrastre para dar más espacio a un lado, hasta el borde para plegarlo; doble clic para partes iguales. Teclas: flechas, Intro',
+  },
+
   zoom: { title: 'Ampliación', in: 'Ampliar', out: 'Reducir', fit: 'Mostrar todo' },
 } as const;
