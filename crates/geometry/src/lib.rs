@@ -19,6 +19,7 @@
 mod angle;
 mod line;
 mod metric;
+mod motion;
 mod pose;
 mod segment;
 pub mod trig;
@@ -27,5 +28,6 @@ pub use angle::{line_angle_between, normalize_angle};
 pub use glam::DVec2;
 pub use line::{LineFit, fit_line};
 pub use metric::Metric;
+pub use motion::fit_motion;
 pub use pose::Pose;
 pub use segment::Segment;

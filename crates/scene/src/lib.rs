@@ -51,6 +51,7 @@ mod stage_scene;
 mod surfaces;
 pub mod svg;
 mod theme;
+mod truth_scene;
 mod world_scene;
 
 pub use annotation::Annotation;
@@ -71,4 +72,5 @@ pub use scene::{Item, LegendEntry, Sample, Scene, Shape};
 pub use stage_scene::{Stage, distrusted, narrowest, point_out};
 pub use surfaces::Colouring;
 pub use theme::{Sign, Stroke, Style, Theme};
+pub use truth_scene::TruthFit;
 pub use world_scene::{WorldOptions, world_scene};

@@ -37,6 +37,7 @@ mod status;
 #[cfg(test)]
 mod two_rooms;
 mod views;
+mod ways;
 
 pub use alteration::{Alteration, Objection, Tool};
 pub use draft::{Checked, Draft, Fault, Thing};
@@ -46,7 +47,7 @@ pub use explanation::{
 };
 pub use laboratory::Laboratory;
 pub use landmarks::Landmark;
-pub use layers::{Colours, Layers};
+pub use layers::{Colours, Fit, Layers};
 pub use look::Look;
 pub use order::Order;
 pub use plans::{FloorPlan, PlanReport};
@@ -59,3 +60,4 @@ pub use status::{
     MemoryStatus, Offset, PlacementKind, ReferencePair, SourceKind, Status,
 };
 pub use views::View;
+pub use ways::Followed;

@@ -24,6 +24,7 @@ export type Action =
   | 'redo'
   | 'branch'
   | 'change'
+  | 'way'
   | 'plots'
   | 'edit'
   | 'why'
@@ -69,6 +70,7 @@ const ACTIONS: Record<string, Action> = {
   '<': 'markBack',
   v: 'branch',
   b: 'change',
+  q: 'way',
   l: 'plots',
   u: 'edit',
   y: 'why',

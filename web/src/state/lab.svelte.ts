@@ -14,6 +14,7 @@ import { Plotting } from './plotting.svelte';
 import { brought, save } from './save';
 import { Showing } from './showing.svelte';
 import { Timeline } from './timeline.svelte';
+import { Way } from './way.svelte';
 import { Why } from './why.svelte';
 import { isCrash, reason, Workshop } from './workshop';
 
@@ -78,6 +79,7 @@ export class Lab {
   /** What was done to the building or the robot just now. */
   readonly changed = $derived(this.status && this.timeline.done(this.status));
   readonly changing = new Changing((alteration) => this.bench.alter(alteration));
+  readonly way = new Way((line) => this.bench.follow(line), () => (this.driven = true), () => (this.changing.open = false));
   readonly bringing = new Bringing(this, () => this.bench);
   readonly plotting = new Plotting((places) => this.bench.plots(places), () => this.why.view && this.why.close());
 

@@ -1,9 +1,10 @@
-import init, { Laboratory, type Alteration, type Layers, type Look, type Objection, type Order, type StageKind, type Status } from '../wasm/cogmap_wasm';
+import init, { Laboratory, type Alteration, type Followed, type Layers, type Look, type Objection, type Order, type StageKind, type Status } from '../wasm/cogmap_wasm';
 import { begun, chosen, opened } from './choice';
 import { hold } from './lifeline';
 import { Player } from './player';
 import type { Brought, Choice, Moment, Notice, Offer, Pace, Plotted, Resumable, Resumed, Saved, View } from './protocol';
 import { archive, drawingOf, mapOf, sessionOf, tableOf } from './saving';
+import { follow, reach } from './telling';
 import { worlds } from './worlds';
 
 /** The bench on which the laboratory stands: everything here happens off the page's main thread. */
@@ -108,12 +109,9 @@ export class Bench {
     this.player.play(true);
   }
 
-  /** Sends the robot to the place that is seen at a point of the view of the world. */
-  reach(x: number, y: number): void {
-    if (this.player.resuming || !this.laboratory?.reach(x, y)) return;
-    this.player.touch();
-    this.player.play(true);
-  }
+  /** Sends the robot to a point of the view of the world, or along a line. */
+  reach = (x: number, y: number): void => reach(this.player, x, y);
+  follow = (line: Float64Array): Followed | undefined => follow(this.player, line);
 
   /** Changes something in the building, or carries the robot off; what is answered says why nothing was changed. */
   alter(alteration: Alteration): Objection | undefined {
@@ -223,8 +221,8 @@ export class Bench {
     this.player.refresh();
   }
 
-  drag(x: number, y: number): void {
-    this.laboratory?.drag(x, y);
+  drag(x: number, y: number, view: View): void {
+    this.laboratory?.drag(x, y, view);
     this.player.refresh();
   }
 

@@ -12,7 +12,7 @@ use crate::{
     failure::Failure,
     layers::Layers,
     look::Look,
-    scenes::{explained, scene, shared_from_map, with_left_ways},
+    scenes::{explained, scene, shared_from_map, with_drawn_way, with_left_ways},
     stance::Stance,
     views::View,
 };
@@ -40,9 +40,13 @@ impl Laboratory {
         Ok(())
     }
 
-    /// Moves what all views show by so many pixels.
-    pub fn drag(&mut self, x: f64, y: f64) {
-        self.views.drag(DVec2::new(x, y));
+    /// Moves what all views show by so many pixels of one of them.
+    ///
+    /// # Errors
+    /// What is no view.
+    pub fn drag(&mut self, x: f64, y: f64, view: &Ts<View>) -> Result<(), JsError> {
+        self.views.drag(DVec2::new(x, y), view.to_rust()?);
+        Ok(())
     }
 
     /// Zooms all views by a factor, about a pixel of one of them or about the middle.
@@ -116,18 +120,18 @@ impl Laboratory {
         let legend = self.views.has_legend(view);
         let sheet =
             Sheet { width, height, theme: look.into(), camera: None, title: false, legend, scale_bar: true };
-        let before = self.views.camera();
+        let before = self.views.shared_camera();
         // What moves around the robot goes where it will.
         if view.mapper().is_none() || self.stance == Stance::Map {
             self.views.make_room(&scene);
         }
         self.views.make_room_for_legend(sheet.strip(&scene));
-        let camera = self.views.camera();
+        let camera = self.views.camera(view);
         let place = Place { corner: DVec2::ZERO, density };
         let canvas = self.canvases.entry(view).or_default();
         let sheet = Sheet { camera: Some(camera), ..sheet };
         canvas.paint(context, &scene, &sheet, place).map_err(Failure::from)?;
-        Ok(camera != before)
+        Ok(self.views.shared_camera() != before)
     }
 
     /// Paints the world and every memory in a row, with titles and legends, each in a square of that
@@ -157,9 +161,10 @@ impl Laboratory {
     fn scene(&self, view: View) -> Scene {
         let session = self.run.session();
         let Some(mapper) = view.mapper() else {
-            return with_left_ways(scene(session, view, self.shown), self.run.left_ways());
+            let scene = with_left_ways(scene(session, view, self.shown), self.run.left_ways());
+            return with_drawn_way(scene, &self.run.way_ahead());
         };
-        let middle = self.views.camera().center;
+        let middle = self.views.camera(view).center;
         let place = self.stance.view_from_map(session, mapper, middle).or(shared_from_map(session, mapper));
         let place = place.unwrap_or(Pose::IDENTITY);
         let pointed = self.pointed.filter(|(pointed, _)| *pointed == view);

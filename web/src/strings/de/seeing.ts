@@ -51,6 +51,10 @@ export const seeing = {
     homingHint: 'Was der Roboter auf dem Heimweg vorhat: wohin er könnte, wohin er fährt und wonach er nicht mehr geht',
     truth: 'Wahrheit',
     truthHint: 'Legt die Welt über die Gedächtnisse',
+    fit: 'gelegt nach',
+    fits: { first_view: 'erster Ansicht', best_fit: 'bester Passung' },
+    fitHint:
+      'Nach der ersten Ansicht sieht man Fehler dort, wo sie entstanden; nach bester Passung liegt der ganze erinnerte Weg so nah am wahren, wie Schieben und Drehen ihn bringen',
   },
 
   facts: {

@@ -51,6 +51,10 @@ export const seeing = {
     homingHint: 'What the robot has in mind on its way home: where it could go, where it goes, and what it no longer goes by',
     truth: 'truth',
     truthHint: 'Lay the world over the memories',
+    fit: 'laid by',
+    fits: { first_view: 'the first view', best_fit: 'best fit' },
+    fitHint:
+      'By the first view, what went wrong since is seen where it went wrong; by best fit, the whole path in memory lies as near to the true one as shifting and turning bring it',
   },
 
   facts: {

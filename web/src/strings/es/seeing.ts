@@ -51,6 +51,10 @@ export const seeing = {
     homingHint: 'Lo que el robot piensa camino de casa: adónde podría ir, adónde va y qué ya no tiene en cuenta',
     truth: 'verdad',
     truthHint: 'Poner el mundo sobre las memorias',
+    fit: 'según',
+    fits: { first_view: 'la primera vista', best_fit: 'el mejor ajuste' },
+    fitHint:
+      'Según la primera vista, los errores se ven donde surgieron; según el mejor ajuste, todo el camino recordado queda tan cerca del verdadero como permiten desplazar y girar',
   },
 
   facts: {
