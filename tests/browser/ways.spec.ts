@@ -4,29 +4,39 @@ import { opener, palette, rooms, session, shares, told } from './altering';
 import { BenchPage, roomLog } from './bench';
 
 test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
+test.describe.configure({ timeout: 120_000 });
 
 const tool = (page: Page) => page.getByRole('button', { name: 'Draw a way' });
 const word = (bench: BenchPage) => bench.world.locator('.hint');
 const resting = (page: Page) => expect(page.getByRole('button', { name: 'Play' })).toBeDisabled({ timeout: 40_000 });
 
-type Line = [number, number][];
+type Point = [number, number];
+/** Pixels from the middle of the view of the world, of a point of the world. */
+type Where = (at: Point) => Point;
 
 /** Draws through points of the world, as a hand does. */
-async function draw(bench: BenchPage, where: (at: [number, number]) => [number, number], line: Line): Promise<void> {
+async function draw(bench: BenchPage, where: Where, line: Point[]): Promise<void> {
   const { x = 0, y = 0, width = 0, height = 0 } = (await bench.world.getByRole('img').boundingBox()) ?? {};
   const { mouse } = bench.page;
   for (const [index, at] of line.entries()) {
     const [right, down] = where(at);
-    await mouse.move(x + width * (0.5 + right), y + height * (0.5 + down), { steps: index === 0 ? 1 : 12 });
+    await mouse.move(x + width / 2 + right, y + height / 2 + down, { steps: index === 0 ? 1 : 12 });
     if (index === 0) await mouse.down();
   }
   await mouse.up();
 }
 
 /** Opens the two rooms with the tool in hand. */
-async function begin(page: Page): Promise<[BenchPage, (at: [number, number]) => [number, number]]> {
+async function begin(page: Page): Promise<[BenchPage, Where]> {
   const bench = await rooms(page);
-  const where = await shares(bench);
+  // From here on the middle of the view stays where it is, whatever room the palette takes.
+  await page.keyboard.press('-');
+  const share = await shares(bench);
+  const { width = 0, height = 0 } = (await bench.world.getByRole('img').boundingBox()) ?? {};
+  const where: Where = (at) => {
+    const [right, down] = share(at);
+    return [right * width, down * height];
+  };
   await tool(page).click();
   await expect(palette(page)).toBeHidden();
   await expect(word(bench)).toContainText('Draw where the robot is to go');
@@ -52,7 +62,7 @@ test('the robot follows a drawn line through the door; a link and undoing know i
   expect(Math.hypot(x - 6.5, y - 3.6)).toBeLessThan(0.6);
   const driven = await session(bench);
   const commands = await told(bench);
-  expect(commands.length).toBeGreaterThan(3);
+  expect(commands.length).toBeGreaterThanOrEqual(3);
   expect(commands.every(({ do: what }) => what === 'step' || what === 'stop')).toBe(true);
   const link = await bench.link();
   await page.keyboard.press('Control+z');
@@ -86,15 +96,14 @@ test('the tool is taken up and laid down by key, and leaves clicks and the palet
   await page.keyboard.press('Escape');
   await expect(tool(page)).toHaveAttribute('aria-pressed', 'false');
   const still = await session(bench);
-  await draw(bench, where, [[1, 2.5], [3, 2.5]]);
+  await draw(bench, where, [[1, 3.5], [1.2, 3.5]]);
   expect(await session(bench)).toBe(still);
-  await page.keyboard.press('0');
   await page.keyboard.press('q');
   await expect(tool(page)).toHaveAttribute('aria-pressed', 'true');
   const picture = bench.world.getByRole('img');
   const { width = 0, height = 0 } = (await picture.boundingBox()) ?? {};
-  const [right, down] = where([2, 2.5]);
-  await picture.click({ position: { x: width * (0.5 + right), y: height * (0.5 + down) } });
+  const [right, down] = where([2.5, 2.5]);
+  await picture.click({ position: { x: width / 2 + right, y: height / 2 + down } });
   await expect.poll(async () => (await told(bench)).map(({ do: what }) => what)).toEqual(['step']);
   await opener(page).click();
   await expect(palette(page)).toBeVisible();
