@@ -2,6 +2,8 @@ import AxeBuilder from '@axe-core/playwright';
 import { expect, test, type Page } from '@playwright/test';
 import { BenchPage } from './bench';
 
+test.describe.configure({ timeout: 120_000 });
+
 const divider = (page: Page) => page.getByRole('separator', { name: 'Size of “The world”' });
 const value = async (page: Page) => Number(await divider(page).getAttribute('aria-valuenow'));
 

@@ -58,11 +58,11 @@ mod tests {
             noise in proptest::collection::vec((-0.5f64..0.5, -0.5f64..0.5), 5), x in -0.2f64..0.2, turn in -0.2f64..0.2,
         ) {
             let known = Pose::new(2.0, -1.0, 0.8);
-            let noisy = |((point, noise), _): ((&(f64, f64), &(f64, f64)), usize)| {
-                let point = DVec2::from(*point);
-                [point, known * point + DVec2::from(*noise)]
-            };
-            let pairs: Vec<_> = WAY.iter().zip(&noise).zip(0..).map(noisy).collect();
+            let pairs: Vec<_> = WAY
+                .into_iter()
+                .zip(noise)
+                .map(|(point, noise)| [point.into(), known * DVec2::from(point) + DVec2::from(noise)])
+                .collect();
             let found = fit_motion(&pairs, 0.0).unwrap();
             let other = found * Pose::new(x, -x, turn);
             prop_assert!(error(found, &pairs) <= error(other, &pairs) + 1e-12);
