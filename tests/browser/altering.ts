@@ -74,8 +74,8 @@ export async function click(bench: BenchPage, right: number, down: number): Prom
   await picture.click({ position: { x: width * (0.5 + right), y: height * (0.5 + down) } });
 }
 
-/** Clicks with a tool at a point of the world; where that is seen, two boxes tell that are undone again. */
-export async function clickAt(bench: BenchPage, name: string, [x, y]: [number, number]): Promise<void> {
+/** Finds where points of the world are in its view, as shares of its size from its middle: two boxes tell, and are undone. */
+export async function shares(bench: BenchPage): Promise<(at: [number, number]) => [number, number]> {
   const { page } = bench;
   await take(page, 'Drop a box');
   const seen: [number, number][] = [];
@@ -89,8 +89,14 @@ export async function clickAt(bench: BenchPage, name: string, [x, y]: [number, n
   }
   const [low, high] = seen as [[number, number], [number, number]];
   const share = (axis: 0 | 1, metres: number) => -0.1 + (0.2 * (metres - low[axis])) / (high[axis] - low[axis]);
-  await take(page, name);
-  await click(bench, share(0, x), share(1, y));
+  return ([x, y]) => [share(0, x), share(1, y)];
+}
+
+/** Clicks with a tool at a point of the world. */
+export async function clickAt(bench: BenchPage, name: string, at: [number, number]): Promise<void> {
+  const [right, down] = (await shares(bench))(at);
+  await take(bench.page, name);
+  await click(bench, right, down);
 }
 
 /** How many remembered surfaces have both ends at a box of 0.4 m. */

@@ -4,7 +4,8 @@ use cogmap_formats::plan::{MapServer, Plan};
 use cogmap_simulation::{Building, World};
 
 use crate::failure::Failure;
-use crate::input::{Input, Kind};
+use crate::input::Input;
+use cogmap_formats::Kind;
 
 /// How a world is asked for that no file holds: `generated:SEED`.
 const GENERATED: &str = "generated:";

@@ -6,9 +6,10 @@ use cogmap_simulation::{Problem, SessionRecord, Source, TICK, World};
 
 use crate::building;
 use crate::failure::Failure;
-use crate::input::{Input, Kind};
+use crate::input::Input;
 use crate::log::{self, counted};
 use crate::terminal;
+use cogmap_formats::Kind;
 
 /// How many broken lines are told one by one.
 const TOLD: usize = 10;

@@ -5,8 +5,9 @@ use cogmap_formats::sha256_hex;
 use cogmap_simulation::{SessionRecord, Source};
 
 use crate::failure::Failure;
-use crate::input::{Input, Kind};
+use crate::input::Input;
 use crate::terminal;
+use cogmap_formats::Kind;
 
 /// Reads a log, and says what it left out.
 pub(crate) fn read(input: &Input, strict: bool) -> Result<CarmenLog, Failure> {

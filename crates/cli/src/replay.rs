@@ -7,7 +7,7 @@ use cogmap_simulation::{Session, SessionRecord, Source};
 use crate::arguments::ReplayArguments;
 use crate::conclusion::Conclusion;
 use crate::failure::Failure;
-use crate::input::{Input, Kind};
+use crate::input::Input;
 use crate::log;
 use crate::output::Output;
 use crate::progress;
@@ -15,6 +15,7 @@ use crate::records::Records;
 use crate::run::{problems_of, setups};
 use crate::terminal;
 use crate::timing::Timing;
+use cogmap_formats::Kind;
 
 /// The seed of a log's noise where none is given.
 const DEFAULT_SEED: u64 = 1;

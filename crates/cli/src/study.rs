@@ -14,13 +14,14 @@ use cogmap_study::{Check, Log, Outcome, Request, Seeds, Study, Summary, figures:
 
 use crate::arguments::StudyArguments;
 use crate::failure::Failure;
-use crate::input::{Input, Kind};
+use crate::input::Input;
 use crate::log;
 use crate::output::Output;
 use crate::progress;
 use crate::table::Table;
 use crate::terminal;
 use crate::timing::Timing;
+use cogmap_formats::Kind;
 
 /// Runs an experiment and leaves what came out; without a name, lists the experiments.
 pub(crate) fn study(arguments: &StudyArguments) -> Result<(), Failure> {

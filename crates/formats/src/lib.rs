@@ -20,6 +20,7 @@ mod digest;
 mod error;
 pub mod gzip;
 mod json;
+mod kind;
 pub mod plan;
 pub mod relations;
 pub mod run;
@@ -30,3 +31,4 @@ pub mod world;
 
 pub use digest::sha256_hex;
 pub use error::{Complaint, FormatError, Place};
+pub use kind::Kind;

@@ -24,6 +24,7 @@ use crate::{
 use floor::Floor;
 pub use map_server::MapServer;
 use outline::Contour;
+pub use picture::Picture;
 
 /// What the middle of the robot has around it at its start besides its own radius, metres.
 const START_SPARE: f64 = 0.15;
@@ -56,7 +57,7 @@ impl Plan {
     /// # Errors
     /// [`FormatError`] where the picture cannot be read, or holds no floor for a robot.
     pub fn trace(picture: &[u8], map: &MapServer, name: &str, file: &str) -> Result<Self, FormatError> {
-        let picture = picture::read(picture, file)?;
+        let picture = Picture::read(picture, file)?;
         let size = [picture.width, picture.height].map(|pixels| pixels as f64 * map.resolution);
         let mut floor = Floor::of(&picture, map);
         let robot = (BodyParams::default().radius + START_SPARE) / map.resolution;

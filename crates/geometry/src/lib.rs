@@ -19,6 +19,7 @@
 mod angle;
 mod line;
 mod metric;
+mod motion;
 mod outline;
 mod pose;
 mod segment;
@@ -28,6 +29,7 @@ pub use angle::{line_angle_between, normalize_angle};
 pub use glam::DVec2;
 pub use line::{LineFit, fit_line};
 pub use metric::Metric;
+pub use motion::fit_motion;
 pub use outline::is_inside;
 pub use pose::Pose;
 pub use segment::Segment;

@@ -52,6 +52,7 @@ mod surfaces;
 pub mod svg;
 mod theme;
 mod things;
+mod truth_scene;
 mod world_scene;
 
 pub use annotation::Annotation;
@@ -73,4 +74,5 @@ pub use stage_scene::{Stage, distrusted, narrowest, point_out};
 pub use surfaces::Colouring;
 pub use theme::{Sign, Stroke, Style, Theme};
 pub use things::{Thing, segment_of, set_off, thing_at, things_like};
+pub use truth_scene::TruthFit;
 pub use world_scene::{WorldOptions, world_scene};

@@ -1,6 +1,6 @@
 use cogmap_geometry::{DVec2, Pose, Segment};
 use cogmap_mapping::{Mapper, MapperSetup, Placement, StepReport};
-use cogmap_simulation::{BoxObstacle, Door, MapperJournal, Session, Source};
+use cogmap_simulation::{Session, Source};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -8,15 +8,18 @@ use crate::{
     label::plural,
     network_scene,
     surfaces::surfaces,
-    world_scene::{robot_radius, walls},
+    truth_scene::{self, TruthFit},
+    world_scene::robot_radius,
 };
 
 /// What of a robot's memory is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct MemoryOptions {
-    /// The world laid over it, so that both agree about the first view.
+    /// The world laid over it.
     pub truth: bool,
+    /// What the world is laid by.
+    pub truth_fit: TruthFit,
     /// Where the robot believes that it went, and how its views were placed.
     pub path: bool,
     /// The latest view, and the reference that it was placed by.
@@ -39,6 +42,7 @@ impl Default for MemoryOptions {
     fn default() -> Self {
         Self {
             truth: false,
+            truth_fit: TruthFit::FirstView,
             path: true,
             view: true,
             exits: true,
@@ -72,7 +76,7 @@ pub fn memory_scene(session: &Session, mapper: usize, options: MemoryOptions) ->
         network_scene::draw_floors(&mut scene, mind);
     }
     if options.truth {
-        draw_truth(&mut scene, session, journal);
+        truth_scene::draw(&mut scene, session, mapper, options.truth_fit);
     }
     draw_surfaces(&mut scene, session, mapper, options);
     let robot = mind.map_from_robot(session.odom_from_robot());
@@ -184,23 +188,6 @@ fn draw_view(scene: &mut Scene, mind: &Mapper, report: &StepReport) {
     }
 }
 
-/// Lays the world over the memory so that the first view was taken in the same place in both.
-fn draw_truth(scene: &mut Scene, session: &Session, journal: &MapperJournal) {
-    let (Some(world), Some(first)) = (session.world(), journal.reports.first()) else { return };
-    let truth = session.journal().truth.iter().find(|stamped| stamped.t == first.t);
-    let (Some(truth), Some(world_from_robot)) = (truth, session.world_from_robot()) else { return };
-    let map_from_world = first.map_from_robot * truth.pose.inverse();
-    let boxes = world.boxes.iter().flat_map(BoxObstacle::edges);
-    let leaves = world.doors.iter().flat_map(Door::faces);
-    let solids = walls(world).into_iter().chain(boxes).chain(leaves);
-    let lines = solids.map(|solid| map_from_world * solid).collect();
-    scene.still.push(Item::new(Role::Truth, Shape::Segments(lines)));
-    let robot = Shape::Robot(map_from_world * world_from_robot, robot_radius(session));
-    scene.changing.push(Item::new(Role::Robot, robot));
-    scene.explain(Sample::Robot(Role::Robot), "where it is");
-    scene.explain(Sample::Line(Role::Truth), "the world");
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -242,21 +229,6 @@ mod tests {
             let roles = [Role::SurfaceOfView(surface.step), Role::DebrisOfView(surface.step)];
             let drawn = roles.map(|role| of(&scene, role)).concat();
             assert_eq!(drawn.iter().filter(|drawn| **drawn == surface.segment).count(), 1);
-        }
-    }
-
-    #[test]
-    fn the_truth_laid_over_agrees_with_what_was_seen_first() {
-        let session = session();
-        let truth = of(
-            &memory_scene(&session, 0, MemoryOptions { truth: true, ..MemoryOptions::default() }),
-            Role::Truth,
-        );
-        let first = session.mappers()[0].mfis().surfaces().iter().filter(|surface| surface.step == 0);
-        for surface in first.filter(|surface| surface.segment.length() > 0.4) {
-            let middle = surface.segment.midpoint();
-            let nearest = truth.iter().map(|wall| wall.distance_to(middle)).fold(f64::INFINITY, f64::min);
-            assert!(nearest < 0.02, "{surface:?} lies {nearest} m from every wall");
         }
     }
 

@@ -36,6 +36,23 @@ impl Driver {
         Ok(Self { planner, course })
     }
 
+    /// Plans a way that somebody drew, from where the robot is: points that leave it no room are left out, and what is
+    /// in the way is driven around. `None` where no point is left; an error names the point that cannot be reached.
+    pub fn along(world: &World, robot: &Robot, from: DVec2, line: &[DVec2]) -> Result<Option<Self>, String> {
+        let mut planner = Planner::new(world, &[from], robot.body.radius);
+        let line: Vec<_> = line.iter().copied().filter(|point| planner.has_place(*point)).collect();
+        if line.is_empty() {
+            return Ok(None);
+        }
+        let course = Course::new(&mut planner, robot, from, &line)?;
+        Ok(Some(Self { planner, course }))
+    }
+
+    /// The points that are still to be passed, in order.
+    pub fn ahead(&self) -> impl Iterator<Item = DVec2> {
+        self.course.ahead()
+    }
+
     /// The next step, from where the robot truly stands now; `None` at the end of the route, or
     /// where something stands so that the person gives up.
     pub fn next_command(&mut self, world_from_robot: Pose) -> Option<Command> {

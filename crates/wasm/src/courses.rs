@@ -16,6 +16,8 @@ const BRANCHES: usize = 8;
 pub(crate) struct Course {
     pub(crate) source: Rc<Source>,
     pub(crate) driver: Option<Rc<Driver>>,
+    /// Whether the driver follows a way that a person drew.
+    pub(crate) drawn: bool,
     pub(crate) live: bool,
     pub(crate) position: u64,
 }

@@ -25,6 +25,7 @@ use crate::{
     stance::Stance,
     status::Status,
     views::{View, Views},
+    ways::Followed,
 };
 
 /// What is no farther than this from where a person points is meant, pixels of the page.
@@ -168,6 +169,17 @@ impl Laboratory {
     /// Sends the robot straight to what the view of the world shows at a pixel; `false` if it cannot be sent there.
     pub fn reach(&mut self, x: f64, y: f64) -> bool {
         self.run.reach(self.views.to_metres(View::World, DVec2::new(x, y)))
+    }
+
+    /// Sends the robot along a line that somebody drew in the view of the world: the pixels of its points, x and y in
+    /// turns. What is answered says what becomes of it.
+    ///
+    /// # Errors
+    /// None that a page could cause.
+    pub fn follow(&mut self, line: &[f64]) -> Result<Ts<Followed>, JsError> {
+        let pixels = line.as_chunks::<2>().0.iter().map(|&[x, y]| DVec2::new(x, y));
+        let line: Vec<_> = pixels.map(|pixel| self.views.to_metres(View::World, pixel)).collect();
+        Ok(self.run.follow(&line).into_ts()?)
     }
 
     /// Lets other mappers take in the run: a drive goes on from this moment, a log from its beginning.

@@ -1,4 +1,4 @@
-use cogmap_scene::{Colouring, MemoryOptions};
+use cogmap_scene::{Colouring, MemoryOptions, TruthFit};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 
@@ -16,6 +16,8 @@ pub struct Layers {
     pub network: bool,
     /// The world laid over the memory.
     pub truth: bool,
+    /// What it is laid by.
+    pub fit: Fit,
     /// What a robot on its way home has in mind.
     pub homing: bool,
     /// From where the memories are looked at.
@@ -34,6 +36,16 @@ pub enum Colours {
     Age,
 }
 
+/// What the world is laid over the memories by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Tsify)]
+#[serde(rename_all = "snake_case")]
+pub enum Fit {
+    /// So that both agree about the first view.
+    FirstView,
+    /// So that the path in memory lies as near to the true one as it can.
+    BestFit,
+}
+
 impl Default for Layers {
     fn default() -> Self {
         Self {
@@ -41,6 +53,7 @@ impl Default for Layers {
             exits: true,
             network: true,
             truth: false,
+            fit: Fit::FirstView,
             homing: true,
             stance: Stance::Map,
         }
@@ -49,12 +62,16 @@ impl Default for Layers {
 
 impl From<Layers> for MemoryOptions {
     fn from(layers: Layers) -> Self {
-        let Layers { colours, exits, network, truth, homing, stance: _ } = layers;
+        let Layers { colours, exits, network, truth, fit, homing, stance: _ } = layers;
         let colouring = match colours {
             Colours::View => Colouring::View,
             Colours::Asr => Colouring::Asr,
             Colours::Age => Colouring::Age,
         };
-        Self { truth, exits, network, homing, home: true, colouring, ..Self::default() }
+        let truth_fit = match fit {
+            Fit::FirstView => TruthFit::FirstView,
+            Fit::BestFit => TruthFit::BestFit,
+        };
+        Self { truth, truth_fit, exits, network, homing, home: true, colouring, ..Self::default() }
     }
 }

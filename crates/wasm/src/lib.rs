@@ -26,6 +26,7 @@ mod look;
 mod memories;
 mod opening;
 mod order;
+mod plans;
 mod plots;
 mod remembered;
 mod resumption;
@@ -39,6 +40,7 @@ mod story;
 #[cfg(test)]
 mod two_rooms;
 mod views;
+mod ways;
 
 pub use alteration::{Alteration, Objection, Tool};
 pub use contents::{Bearing, Contents, NearSurface, Place, SupposedExit, WayOut, Whereabouts};
@@ -49,9 +51,10 @@ pub use explanation::{
 };
 pub use laboratory::Laboratory;
 pub use landmarks::Landmark;
-pub use layers::{Colours, Layers};
+pub use layers::{Colours, Fit, Layers};
 pub use look::Look;
 pub use order::Order;
+pub use plans::{FloorPlan, PlanReport};
 pub use plots::{Curve, Narrow, OffCurve, Plots, WidenessCurve};
 pub use remembered::{Remembered, RememberedKind, Walk};
 pub use resumption::{Kept, KnownBuilding};
@@ -63,3 +66,4 @@ pub use status::{
 };
 pub use story::{AsrFacts, ExitFacts, Facts, Occasion, SupposedFacts, SurfaceFacts, Told};
 pub use views::View;
+pub use ways::Followed;

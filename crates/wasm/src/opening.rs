@@ -1,12 +1,13 @@
 //! How runs begin: from the page's own worlds, and from files that somebody brought.
 
-use cogmap_formats::{carmen, gzip, session, sha256_hex, world};
+use cogmap_formats::{Kind, carmen, gzip, session, sha256_hex, world};
 use cogmap_geometry::DVec2;
 use cogmap_mapping::MapperSetup;
 use cogmap_simulation::{Building, Driver, Robot, Session, SessionRecord, Source, Strategy, World};
 
 use crate::{
     failure::Failure,
+    plans,
     run::{Label, Run},
     setup::{Opening, Setup},
 };
@@ -31,39 +32,26 @@ pub(crate) fn generated(seed: &str) -> Result<World, Failure> {
     seed.parse().map(Building::generate).map_err(unknown)
 }
 
-/// A run of what somebody brought, by its content. `other` may be the log that a session needs.
+/// A run of what somebody brought, by its content. `other` may be the log that a session needs, or the other half of
+/// a floor plan.
 pub(crate) fn open(opening: &Opening, bytes: &[u8], other: Option<&[u8]>) -> Result<Run, Failure> {
     let plain = gzip::unpack(bytes, &opening.name)?;
     match Kind::of(&plain) {
         Kind::Log => map_log(opening, bytes),
-        Kind::World => {
-            let world = world::read(text(&plain, &opening.name)?, &opening.name)?;
-            let (robot, mappers) = (robot(&opening.robot)?, mappers(&opening.mappers)?);
-            drive(world, robot, mappers, opening.seed, label(&opening.name, true))
-        }
+        Kind::World => drive_in(world::read(text(&plain, &opening.name)?, &opening.name)?, opening),
+        Kind::Picture | Kind::MapServer => drive_in(plans::building(opening, &plain, other)?, opening),
         Kind::Session => reopen(text(&plain, &opening.name)?, &opening.name, other),
+        Kind::Other(what) => Err(Failure::new(&format!(
+            "{}: this is {what}; bring a CARMEN log, a session, a world, or a floor plan as PNG or PGM",
+            opening.name
+        ))),
     }
 }
 
-/// What a file is, told by its content.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    World,
-    Session,
-    /// Whatever is no JSON: the log's reader has the last word.
-    Log,
-}
-
-impl Kind {
-    fn of(plain: &[u8]) -> Self {
-        let written = String::from_utf8_lossy(plain);
-        let written = written.trim_start();
-        match written.starts_with(['{', '[']) {
-            false => Self::Log,
-            true if written.contains("cogmap-session/") => Self::Session,
-            true => Self::World,
-        }
-    }
+/// A run in a building that somebody brought.
+fn drive_in(world: World, opening: &Opening) -> Result<Run, Failure> {
+    let (robot, mappers) = (robot(&opening.robot)?, mappers(&opening.mappers)?);
+    drive(world, robot, mappers, opening.seed, label(&opening.name, true))
 }
 
 /// A robot at the start of a world, about to be driven along the world's first route.
@@ -135,7 +123,7 @@ pub(crate) fn world_name(record: &SessionRecord) -> String {
     }
 }
 
-fn text<'a>(plain: &'a [u8], name: &str) -> Result<&'a str, Failure> {
+pub(crate) fn text<'a>(plain: &'a [u8], name: &str) -> Result<&'a str, Failure> {
     std::str::from_utf8(plain)
         .map_err(|error| Failure::new(&format!("{name}: byte {} is not UTF-8 text", error.valid_up_to() + 1)))
 }
@@ -190,19 +178,6 @@ pub(crate) fn label(file: &str, foreign: bool) -> Label {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_file_is_known_by_its_content() {
-        for (content, kind) in [
-            (r#"{"format":"cogmap-world/1"}"#, Kind::World),
-            ("\n{\"format\": \"cogmap-session/1\", oops", Kind::Session),
-            (r#"[1, 2]"#, Kind::World),
-            ("# a comment\nFLASER 1 2 0 0 0 0 0 0 1 h 1\n", Kind::Log),
-            ("", Kind::Log),
-        ] {
-            assert_eq!(Kind::of(content.as_bytes()), kind, "{content}");
-        }
-    }
 
     #[test]
     fn saved_files_are_called_after_what_they_came_from() {

@@ -1,5 +1,6 @@
 mod altering;
 mod deeds;
+mod following;
 mod keeping;
 mod plotting;
 mod telling;
@@ -44,6 +45,8 @@ pub(crate) struct Run {
     session: Session,
     label: Label,
     driver: Option<Driver>,
+    /// Whether the driver follows a way that a person drew, not the building's route.
+    drawn: bool,
     /// Whether the robot may go on beyond what is recorded.
     live: bool,
     /// Whether an order was given that no tick has seen yet.
@@ -63,6 +66,7 @@ impl Run {
             session,
             label,
             driver,
+            drawn: false,
             live,
             told: false,
             landmarks: Landmarks::default(),
@@ -204,7 +208,8 @@ impl Run {
             end: session.end(),
             time: session.time(),
             idle: self.idle(),
-            on_route: self.driver.is_some(),
+            on_route: self.driver.is_some() && !self.drawn,
+            way_left: self.way_left(),
             collisions: journal.mappers.first().map_or(0, |mapper| mapper.collisions().count()),
             travelled: driven(session, if truth_known { &journal.truth } else { &journal.odometry }),
             pose: pose.map(|Pose { position, heading }| [position.x, position.y, heading]),

@@ -1,7 +1,7 @@
 use cogmap_geometry::{DVec2, Pose};
 use cogmap_scene::{
-    Item, LegendEntry, MemoryOptions, Role, Sample, Scene, Shape, Stage, Thing, WorldOptions, memory_scene,
-    point_out, set_off, world_scene,
+    HomingMark, Item, LegendEntry, MemoryOptions, Role, Sample, Scene, Shape, Stage, Thing, WorldOptions,
+    memory_scene, point_out, set_off, world_scene,
 };
 use cogmap_simulation::Session;
 
@@ -24,6 +24,18 @@ pub(crate) fn with_left_ways<'a>(mut scene: Scene, ways: impl Iterator<Item = &'
     if scene.changing.len() > before {
         scene.legend.push(LegendEntry::new(Sample::Line(Role::Path), "its way on another branch"));
     }
+    scene
+}
+
+/// The world, with what is left of a way that somebody drew.
+pub(crate) fn with_drawn_way(mut scene: Scene, ahead: &[DVec2]) -> Scene {
+    if ahead.len() < 2 {
+        return scene;
+    }
+    let line = || Shape::Polyline(ahead.to_vec());
+    let marks = [(HomingMark::Rim, line()), (HomingMark::InMind, line())];
+    scene.changing.extend(marks.map(|(mark, shape)| Item::new(Role::Homing(mark), shape)));
+    scene.legend.push(LegendEntry::new(Sample::Line(Role::Homing(HomingMark::InMind)), "the way you drew"));
     scene
 }
 

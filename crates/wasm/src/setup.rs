@@ -33,6 +33,12 @@ pub struct Opening {
     pub mappers: Vec<String>,
     /// The seed of a world's run.
     pub seed: u64,
+    /// Metres a pixel, of a floor plan that does not say it.
+    #[tsify(optional)]
+    pub resolution: Option<f64>,
+    /// The name of the file beside it.
+    #[tsify(optional)]
+    pub beside: Option<String>,
 }
 
 /// What the page opens with, as the command line does.

@@ -31,6 +31,8 @@ pub struct Status {
     pub idle: bool,
     /// Whether a route is being played.
     pub on_route: bool,
+    /// Metres that are left of a way that somebody drew, while the robot follows one.
+    pub way_left: Option<f64>,
     /// How often the robot drove into something.
     pub collisions: usize,
     /// Metres driven, as the odometry tells it.

@@ -8,16 +8,23 @@ export interface Gestures {
   hover?: (x: number, y: number) => void;
   /** … and has gone. */
   leave?: () => void;
+  /** Whether a pointer draws just now instead of moving the picture. */
+  draws?: () => boolean;
+  /** The line so far, `done` once the pointer lets go; an empty line was given up. */
+  draw?: (line: readonly Point[], done: boolean) => void;
 }
 
 /** A pointer that moved less than this, in pixels, has tapped. */
 const TAP_DISTANCE = 6;
+/** A drawn line has a point each so many pixels. */
+const STRIDE = 4;
 /** Zoom of one wheel pixel. */
 const WHEEL_STEP = 0.0016;
 /** Pixels of a wheel that counts in lines. */
 const LINE = 24;
 
-interface Point {
+/** A point of a view, in pixels from its upper left corner. */
+export interface Point {
   x: number;
   y: number;
 }
@@ -41,6 +48,8 @@ export function gestures(take: Gestures): (node: HTMLElement) => () => void {
 class Hands {
   private readonly pointers = new Map<number, Point>();
   private travelled = 0;
+  /** What is being drawn. */
+  private line: Point[] | undefined;
 
   constructor(
     private readonly node: HTMLElement,
@@ -50,7 +59,10 @@ class Hands {
   down(event: PointerEvent): void {
     if (event.button !== 0) return;
     this.node.setPointerCapture(event.pointerId);
-    if (this.pointers.size === 0) this.travelled = 0;
+    if (this.pointers.size === 0) {
+      this.travelled = 0;
+      this.line = this.take.draws?.() ? [this.point(event)] : undefined;
+    } else this.endLine(false);
     this.pointers.set(event.pointerId, this.point(event));
   }
 
@@ -66,6 +78,7 @@ class Hands {
     const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
     this.pointers.set(event.pointerId, to);
     if (other) this.pinch(other, from, to);
+    else if (this.line) this.extend(this.line, to);
     else if (this.travelled > TAP_DISTANCE) this.take.drag(dx, dy);
   }
 
@@ -76,7 +89,20 @@ class Hands {
       return;
     }
     const { x, y } = this.point(event);
+    this.endLine(done && this.travelled > TAP_DISTANCE);
     if (done && this.travelled <= TAP_DISTANCE) this.take.tap?.(x, y, event.pointerType === 'touch');
+  }
+
+  private extend(line: Point[], to: Point): void {
+    const last = line.at(-1);
+    if (last && Math.hypot(to.x - last.x, to.y - last.y) < STRIDE) return;
+    line.push(to);
+    if (this.travelled > TAP_DISTANCE) this.take.draw?.([...line], false);
+  }
+
+  private endLine(done: boolean): void {
+    if (this.line) this.take.draw?.(done ? this.line : [], done);
+    this.line = undefined;
   }
 
   wheel(event: WheelEvent): void {

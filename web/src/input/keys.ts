@@ -24,6 +24,7 @@ export type Action =
   | 'redo'
   | 'branch'
   | 'change'
+  | 'way'
   | 'plots'
   | 'text'
   | 'edit'
@@ -70,6 +71,7 @@ const ACTIONS: Record<string, Action> = {
   '<': 'markBack',
   v: 'branch',
   b: 'change',
+  q: 'way',
   l: 'plots',
   m: 'text',
   u: 'edit',

@@ -1,4 +1,4 @@
-import { transfer, type Remote } from 'comlink';
+import type { Remote } from 'comlink';
 import type { Address } from '../keep/address';
 import { Keeping } from '../keep/keeping.svelte';
 import { Sharing } from '../keep/sharing.svelte';
@@ -6,7 +6,9 @@ import { strings } from '../strings';
 import type { Bench } from '../worker/bench';
 import type { Choice, FileKind, KeptSituation, Notice, Offer, Pace, Saved, View } from '../worker/protocol';
 import type { Order, Status } from '../wasm/cogmap_wasm';
+import { Bringing } from './bringing.svelte';
 import { Changing } from './changing.svelte';
+import { Dividing } from './dividing.svelte';
 import { Editing } from './editing.svelte';
 import { Plotting } from './plotting.svelte';
 import { Pointing } from './pointing.svelte';
@@ -14,6 +16,7 @@ import { brought, save } from './save';
 import { Showing } from './showing.svelte';
 import { TextView } from './text.svelte';
 import { Timeline } from './timeline.svelte';
+import { Way } from './way.svelte';
 import { Why } from './why.svelte';
 import { isCrash, reason, Workshop } from './workshop';
 
@@ -45,6 +48,8 @@ export class Lab {
 
   /** How the views show what there is. */
   readonly showing = new Showing(() => this.bench);
+  /** Where the divider between the views stands. */
+  readonly dividing = new Dividing();
   /** What the timeline marks. */
   readonly timeline = new Timeline();
 
@@ -72,6 +77,8 @@ export class Lab {
   readonly plotting = new Plotting((places) => this.bench.telling.plots(places), () => this.makeRoom());
   readonly text = new TextView((view, most) => this.bench.telling.contents(view, most), () => this.makeRoom());
   readonly pointing = new Pointing((asked, view, to) => this.bench.telling.point(asked, view, to));
+  readonly way = new Way((line) => this.bench.follow(line), () => (this.driven = true), () => (this.changing.open = false));
+  readonly bringing = new Bringing(this, () => this.bench);
 
   /** The step that is taken apart. */
   readonly why = new Why({
@@ -191,27 +198,7 @@ export class Lab {
   }
 
   /** Opens files that somebody brought. */
-  async open(files: File[]): Promise<void> {
-    const [first] = files;
-    if (!first || this.reading) return;
-    this.refusal = undefined;
-    this.reading = first.name;
-    await this.ask(async () => {
-      const opened = files.slice(0, 2);
-      const contents = await Promise.all(opened.map(brought));
-      const buffers = contents.map(({ bytes }) => bytes.buffer);
-      const before = this.files;
-      this.files = opened;
-      try {
-        await this.bench.open(transfer(contents, buffers), this.choice);
-      } catch (error) {
-        this.files = before;
-        throw error;
-      }
-      this.driven = true;
-    });
-    this.reading = undefined;
-  }
+  open = (files: File[]): Promise<void> => this.bringing.open(files);
 
   order(order: Order): void {
     if (this.status?.source !== 'world' || this.editing.open) return;
@@ -270,7 +257,8 @@ export class Lab {
     await this.ask(async () => save(await make()));
   }
 
-  private async ask(work: () => Promise<void>): Promise<void> {
+  /** Does something that may be refused, and says why it was. */
+  async ask(work: () => Promise<void>): Promise<void> {
     try {
       await work();
       this.refusal = undefined;

@@ -9,6 +9,9 @@ export const COLOURS: Layers['colours'][] = ['view', 'asr', 'age'];
 /** From where memories can be looked at. */
 export const STANCES: Layers['stance'][] = ['map', 'robot', 'entrance'];
 
+/** What the world can be laid over the memories by. */
+export const FITS: Layers['fit'][] = ['first_view', 'best_fit'];
+
 /** How the views show what there is: their canvases, place and colours, and what is left out. */
 export class Showing {
   /** What is shown of the memories. */
@@ -60,7 +63,7 @@ export class Showing {
     void this.bench().resize(view, width, height, density);
   }
 
-  drag = (x: number, y: number): void => void this.bench().drag(x, y);
+  drag = (x: number, y: number, view: View): void => void this.bench().drag(x, y, view);
   fit = (): void => void this.bench().fit();
 
   setLook(look: Look): void {

@@ -1,11 +1,12 @@
 import { proxy } from 'comlink';
-import { Laboratory, type Alteration, type Layers, type Look, type Objection, type Order, type Status } from '../wasm/cogmap_wasm';
-import { begun, chosen } from './choice';
+import { Laboratory, type Alteration, type Followed, type Layers, type Look, type Objection, type Order, type Status } from '../wasm/cogmap_wasm';
+import { begun, chosen, opened } from './choice';
 import * as engine from './engine';
 import { hold } from './lifeline';
 import { Player } from './player';
 import type { Brought, Choice, Moment, Notice, Offer, Pace, Resumable, Resumed, Saved, View } from './protocol';
 import { archive, drawingOf, mapOf, sessionOf, tableOf } from './saving';
+import { follow, reach } from './sending';
 import { Telling } from './telling';
 import { everyText, worlds } from './worlds';
 
@@ -119,12 +120,9 @@ export class Bench {
     this.player.play(true);
   }
 
-  /** Sends the robot to the place that is seen at a point of the view of the world. */
-  reach(x: number, y: number): void {
-    if (this.player.resuming || !this.laboratory?.reach(x, y)) return;
-    this.player.touch();
-    this.player.play(true);
-  }
+  /** Sends the robot to a point of the view of the world, or along a line. */
+  reach = (x: number, y: number): void => reach(this.player, x, y);
+  follow = (line: Float64Array): Followed | undefined => follow(this.player, line);
 
   /** Changes something in the building, or carries the robot off; what is answered says why nothing was changed. */
   alter(alteration: Alteration): Objection | undefined {
@@ -208,7 +206,7 @@ export class Bench {
   resize(view: View, width: number, height: number, density: number): void {
     this.player.easel.resize(view, width, height, density);
     this.laboratory?.resize(view, width, height);
-    this.player.paint();
+    this.player.refresh();
   }
 
   setLook(look: Look): void {
@@ -222,8 +220,8 @@ export class Bench {
     this.player.refresh();
   }
 
-  drag(x: number, y: number): void {
-    this.laboratory?.drag(x, y);
+  drag(x: number, y: number, view: View): void {
+    this.laboratory?.drag(x, y, view);
     this.player.refresh();
   }
 
@@ -275,9 +273,7 @@ export class Bench {
 
   private read([first, second]: Brought[], choice: Choice): void {
     if (!first) return;
-    const { robot, mappers, seed } = choice;
-    const opened = Laboratory.open({ name: first.name, robot, mappers, seed }, first.bytes, second?.bytes);
-    const left = this.use(opened);
+    const left = this.use(opened(choice, first, second));
     if (left && !this.before) this.before = left;
     else left?.free();
     this.player.touch();

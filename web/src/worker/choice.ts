@@ -1,5 +1,5 @@
 import { Laboratory, type Status } from '../wasm/cogmap_wasm';
-import { GENERATED, type Choice } from './protocol';
+import { GENERATED, type Brought, type Choice } from './protocol';
 import { textOf } from './worlds';
 
 /** What of a run the page could have chosen itself. */
@@ -17,6 +17,14 @@ export async function begun(choice: Choice, views: number): Promise<Laboratory> 
   const laboratory = new Laboratory({ world: text, file: `${file}.world.json`, robot, mappers, seed });
   for (let view = 0; view < views; view += 1) laboratory.advance_to_next_view();
   return laboratory;
+}
+
+/** A run of what somebody brought: one file, or two that belong together. */
+export function opened({ robot, mappers, seed }: Choice, file: Brought, other: Brought | undefined): Laboratory {
+  const { name, bytes, resolution } = file;
+  const scale = resolution === undefined ? {} : { resolution };
+  const beside = other ? { beside: other.name } : {};
+  return Laboratory.open({ name, robot, mappers, seed, ...scale, ...beside }, bytes, other?.bytes);
 }
 
 /** The building of a choice: one that comes with the page, or one that its number makes. */

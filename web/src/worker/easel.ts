@@ -29,8 +29,6 @@ export class Easel {
   /** Takes over the canvas of a view that has come to the page. */
   take(view: View, canvas: OffscreenCanvas): void {
     this.sheets.set(view, sheet(canvas));
-    const size = this.sizes.get(view);
-    if (size) this.resize(view, size.width, size.height, this.density);
   }
 
   /** Lets go of the canvas of a view that has left the page. */
@@ -49,10 +47,6 @@ export class Easel {
     this.sizes.set(view, { width, height });
     this.density = density;
     this.stale = true;
-    const canvas = this.sheets.get(view)?.canvas;
-    if (!canvas) return;
-    canvas.width = Math.max(1, Math.round(width * density));
-    canvas.height = Math.max(1, Math.round(height * density));
   }
 
   /** Paints what is stale unless painting has had its share; returns whether nothing is stale any more. */
@@ -77,8 +71,10 @@ export class Easel {
   /** The same with some of the views. */
   paintOnly(laboratory: Laboratory, views: Set<View>): boolean {
     let moved = false;
-    for (const [view, { context }] of this.sheets) {
+    for (const [view, { canvas, context }] of this.sheets) {
       if (!views.has(view)) continue;
+      const size = this.sizes.get(view);
+      if (size) fit(canvas, size, this.density);
       moved = laboratory.paint(view, context, this.look, this.density) || moved;
     }
     return moved;
@@ -92,6 +88,13 @@ export class Easel {
     laboratory.picture(sheet(canvas).context, this.look, side, density);
     return canvas.convertToBlob({ type: 'image/png' });
   }
+}
+
+/** Gives a canvas its size just before it is painted: a new size empties it, and nobody shall see it empty. */
+function fit(canvas: OffscreenCanvas, size: Size, density: number): void {
+  const [width, height] = [size.width, size.height].map((pixels) => Math.max(1, Math.round(pixels * density)));
+  if (width !== undefined && canvas.width !== width) canvas.width = width;
+  if (height !== undefined && canvas.height !== height) canvas.height = height;
 }
 
 function sheet(canvas: OffscreenCanvas): Sheet {

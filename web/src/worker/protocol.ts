@@ -27,6 +27,8 @@ export interface Choice {
 export interface Brought {
   name: string;
   bytes: Uint8Array;
+  /** Metres a pixel, of a floor plan that does not say it. */
+  resolution?: number;
 }
 
 /** What is to be kept of a run at a moment. */

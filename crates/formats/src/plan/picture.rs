@@ -11,27 +11,48 @@ pub(super) const PIXELS_MAX: u64 = 16_000_000;
 const WORKSPACE: usize = 64 << 20;
 
 /// A picture as far as a plan needs it.
-#[derive(Debug, PartialEq, Eq)]
-pub(super) struct Picture {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
     /// Pixels.
-    pub(super) width: usize,
+    pub width: usize,
     /// Pixels.
-    pub(super) height: usize,
+    pub height: usize,
     /// From 0, black, to 255, row by row from the top; what is transparent is as bright as paper.
-    pub(super) brightness: Vec<u8>,
+    pub brightness: Vec<u8>,
 }
 
-/// Reads a PNG or PGM picture.
-pub(super) fn read(bytes: &[u8], file: &str) -> Result<Picture, FormatError> {
-    if bytes.starts_with(b"\x89PNG") {
-        return png(bytes, file);
+impl Picture {
+    /// Reads a PNG or PGM picture of at most 16 million pixels. `file` is its name for messages.
+    ///
+    /// # Errors
+    /// [`FormatError`] where it is neither, is broken or is too large.
+    pub fn read(bytes: &[u8], file: &str) -> Result<Self, FormatError> {
+        if bytes.starts_with(b"\x89PNG") {
+            return png(bytes, file);
+        }
+        if matches!(bytes, [b'P', b'2' | b'5', ..]) {
+            return graymap::read(bytes).map_err(|problem| {
+                unusable(file, format!("broken PGM picture: {problem}"), "save the picture again, or as PNG")
+            });
+        }
+        Err(unusable(file, "neither a PNG nor a PGM picture", "save the plan as PNG"))
     }
-    if matches!(bytes, [b'P', b'2' | b'5', ..]) {
-        return graymap::read(bytes).map_err(|problem| {
-            unusable(file, format!("broken PGM picture: {problem}"), "save the picture again, or as PNG")
-        });
+
+    /// The same picture at most so many pixels wide and high: each of its pixels is as dark as the darkest that it
+    /// stands for, so that thin walls stay in sight.
+    #[must_use]
+    pub fn at_most(&self, side: usize) -> Self {
+        let step = self.width.max(self.height).div_ceil(side.max(1)).max(1);
+        let (width, height) = (self.width.div_ceil(step), self.height.div_ceil(step));
+        let mut brightness = vec![u8::MAX; width * height];
+        for (row, pixels) in self.brightness.chunks_exact(self.width).enumerate() {
+            let shades = &mut brightness[row / step * width..][..width];
+            for (shade, block) in shades.iter_mut().zip(pixels.chunks(step)) {
+                *shade = block.iter().copied().fold(*shade, u8::min);
+            }
+        }
+        Self { width, height, brightness }
     }
-    Err(unusable(file, "neither a PNG nor a PGM picture", "save the plan as PNG"))
 }
 
 /// Whether a picture of this size is small enough; a message where it is not.
@@ -79,4 +100,20 @@ fn mean(red: u8, green: u8, blue: u8) -> u8 {
 fn on_paper(shade: u8, alpha: u8) -> u8 {
     let covered = (255 - u16::from(shade)) * u16::from(alpha) / 255;
     255 - covered as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_smaller_picture_keeps_thin_walls() {
+        let mut picture = Picture { width: 7, height: 5, brightness: vec![255; 35] };
+        picture.brightness[4 * 7 + 6] = 3;
+        let small = picture.at_most(3);
+        assert_eq!((small.width, small.height), (3, 2));
+        assert_eq!(small.brightness, [255, 255, 255, 255, 255, 3]);
+        assert_eq!(picture.at_most(7), picture);
+        assert_eq!(picture.at_most(0).brightness, [3]);
+    }
 }

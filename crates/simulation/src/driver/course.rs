@@ -72,6 +72,11 @@ impl Course {
         })
     }
 
+    /// The points that are still to be passed, in order.
+    pub(super) fn ahead(&self) -> impl Iterator<Item = DVec2> {
+        self.legs.iter().flat_map(|leg| leg.points.iter().copied())
+    }
+
     /// Forgets the points that have been reached.
     fn pass_points(&mut self, position: DVec2) {
         while let Some(leg) = self.legs.front_mut() {

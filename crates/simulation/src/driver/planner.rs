@@ -87,6 +87,11 @@ impl Planner {
         self.free(Segment::new(from, to), keep)
     }
 
+    /// Whether a point lies about the building and leaves the robot room.
+    pub(super) fn has_place(&self, point: DVec2) -> bool {
+        self.lattice.at(point).is_some() && self.obstacles.nearest(point, self.keep).is_none()
+    }
+
     /// Metres to the nearest solid, at most what is comfortable.
     pub(crate) fn room_at(&self, point: DVec2) -> f64 {
         let comfort = self.keep + COMFORT;

@@ -138,3 +138,33 @@ fn a_driver_that_sees_a_door_being_shut_takes_the_other_one() {
 }
 
 mod worlds;
+
+#[test]
+fn a_drawn_way_leads_around_what_is_in_the_way_and_leaves_out_what_has_no_room() {
+    let world: World = serde_json::from_str(
+        r#"{"format": "cogmap-world/1", "name": "Rooms", "start": {"position": [1, 2.5]},
+            "walls": [[[0, 0], [8, 0], [8, 5], [0, 5], [0, 0]], [[4, 0], [4, 2]], [[4, 3], [4, 5]]]}"#,
+    )
+    .unwrap();
+    let robot = Robot::named("perfect").unwrap();
+    let from = DVec2::new(1.0, 4.0);
+    // Straight through the wall, with points in it and beyond the building.
+    let line =
+        [[2.0, 4.0], [3.9, 4.0], [6.0, 4.0], [7.9, 4.0], [500.0, 4.0], [f64::NAN, 0.0]].map(DVec2::from);
+    let mut driver = Driver::along(&world, &robot, from, &line).unwrap().unwrap();
+    let ahead: Vec<_> = driver.ahead().collect();
+    assert_eq!(ahead.first(), Some(&line[0]));
+    assert_eq!(ahead.last(), Some(&line[2]));
+    assert!(
+        ahead.iter().any(|point| (point.x - 4.0).abs() < 0.5 && (2.0..3.0).contains(&point.y)),
+        "{ahead:?}"
+    );
+    let Some(Command::Step { turn, travel }) = driver.next_command(Pose::new(1.0, 4.0, 0.0)) else {
+        panic!("there is a way to go");
+    };
+    assert!(turn.abs() < 1e-9 && (travel - 1.0).abs() < 1e-9);
+
+    assert!(Driver::along(&world, &robot, from, &line[3..]).unwrap().is_none());
+    let outside = [DVec2::new(-0.5, -0.5)];
+    assert!(Driver::along(&world, &robot, from, &outside).err().unwrap().contains("cannot be reached"));
+}

@@ -1,4 +1,4 @@
-use cogmap_geometry::{DVec2, Pose, trig};
+use cogmap_geometry::{Pose, fit_motion};
 use serde::{Deserialize, Serialize};
 
 /// Where the robot stood at one moment, and where its map has it.
@@ -27,23 +27,12 @@ pub fn by_first_view(samples: &[Sample]) -> Option<Pose> {
 /// The map laid onto the world so that the way fits best (least squares of the positions, no
 /// scaling); `None` of nothing.
 #[must_use]
-#[allow(clippy::cast_precision_loss, reason = "a run has a few thousand views")]
 pub fn by_whole_way(samples: &[Sample]) -> Option<Pose> {
-    let count = samples.len() as f64;
-    let map_middle = samples.iter().map(|s| s.map_from_robot.position).sum::<DVec2>() / count;
-    let world_middle = samples.iter().map(|s| s.world_from_robot.position).sum::<DVec2>() / count;
-    let (mut dot, mut cross) = (0.0, 0.0);
-    for sample in samples {
-        let from = sample.map_from_robot.position - map_middle;
-        let to = sample.world_from_robot.position - world_middle;
-        dot += from.dot(to);
-        cross += from.perp_dot(to);
-    }
     // A robot that never moved says nothing about directions: its first heading does.
-    let turn =
-        if dot == 0.0 && cross == 0.0 { by_first_view(samples)?.heading } else { trig::atan2(cross, dot) };
-    let shift = world_middle - Pose::new(0.0, 0.0, turn).rotate(map_middle);
-    Some(Pose::new(shift.x, shift.y, turn))
+    let heading = by_first_view(samples)?.heading;
+    let pairs: Vec<_> =
+        samples.iter().map(|it| [it.map_from_robot.position, it.world_from_robot.position]).collect();
+    fit_motion(&pairs, heading)
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ use crate::{
     failure::Failure,
     layers::Layers,
     look::Look,
-    scenes::{accentuate, explained, scene, with_left_ways},
+    scenes::{accentuate, explained, scene, with_drawn_way, with_left_ways},
     stance::Stance,
     views::View,
 };
@@ -40,9 +40,13 @@ impl Laboratory {
         Ok(())
     }
 
-    /// Moves what all views show by so many pixels.
-    pub fn drag(&mut self, x: f64, y: f64) {
-        self.views.drag(DVec2::new(x, y));
+    /// Moves what all views show by so many pixels of one of them.
+    ///
+    /// # Errors
+    /// What is no view.
+    pub fn drag(&mut self, x: f64, y: f64, view: &Ts<View>) -> Result<(), JsError> {
+        self.views.drag(DVec2::new(x, y), view.to_rust()?);
+        Ok(())
     }
 
     /// Zooms all views by a factor, about a pixel of one of them or about the middle.
@@ -116,7 +120,7 @@ impl Laboratory {
         let legend = self.views.has_legend(view);
         let sheet =
             Sheet { width, height, theme: look.into(), camera: None, title: false, legend, scale_bar: true };
-        let before = self.views.camera();
+        let before = self.views.shared_camera();
         // What moves around the robot goes where it will.
         if view.mapper().is_none() || self.stance == Stance::Map {
             self.views.make_room(&scene);
@@ -124,12 +128,12 @@ impl Laboratory {
         self.views.make_room_for_legend(sheet.strip(&scene));
         // What is set off has no room made for it: the picture would jump under whoever points.
         self.accentuate(view, &mut scene);
-        let camera = self.views.camera();
+        let camera = self.views.camera(view);
         let place = Place { corner: DVec2::ZERO, density };
         let canvas = self.canvases.entry(view).or_default();
         let sheet = Sheet { camera: Some(camera), ..sheet };
         canvas.paint(context, &scene, &sheet, place).map_err(Failure::from)?;
-        Ok(camera != before)
+        Ok(self.views.shared_camera() != before)
     }
 
     /// Paints the world and every memory in a row, with titles and legends, each in a square of that
@@ -159,18 +163,19 @@ impl Laboratory {
     fn scene(&self, view: View) -> Scene {
         let session = self.run.session();
         let Some(mapper) = view.mapper() else {
-            return with_left_ways(scene(session, view, self.shown), self.run.left_ways());
+            let scene = with_left_ways(scene(session, view, self.shown), self.run.left_ways());
+            return with_drawn_way(scene, &self.run.way_ahead());
         };
         let pointed = self.pointed.filter(|(pointed, _)| *pointed == view);
         let stage = pointed.map(|(_, stage)| stage.stage());
-        explained(session, mapper, stage, self.shown).seen_from(self.view_from_map(mapper))
+        explained(session, mapper, stage, self.shown).seen_from(self.view_from_map(view, mapper))
     }
 
     /// Sets off in the picture of a view what is to be set off in it.
     fn accentuate(&self, view: View, scene: &mut Scene) {
         let set_off_here = self.set_off.filter(|(other, _)| *other == view);
         if let (Some(mapper), Some((_, thing))) = (view.mapper(), set_off_here) {
-            accentuate(scene, self.run.session(), mapper, thing.into(), self.view_from_map(mapper));
+            accentuate(scene, self.run.session(), mapper, thing.into(), self.view_from_map(view, mapper));
         }
     }
 }

@@ -81,7 +81,7 @@ impl Laboratory {
     fn picked(&self, view: View, pixel: DVec2, reach: f64) -> Option<Remembered> {
         let mapper = view.mapper()?;
         let [at, beside] = [pixel, pixel + DVec2::new(reach, 0.0)].map(|p| self.views.to_metres(view, p));
-        let at_in_map = self.view_from_map(mapper).inverse() * at;
+        let at_in_map = self.view_from_map(view, mapper).inverse() * at;
         let mind = self.run.session().mappers().get(mapper)?;
         thing_at(mind, self.shown, at_in_map, at.distance(beside)).map(Remembered::from)
     }
@@ -91,14 +91,15 @@ impl Laboratory {
         let mapper = view.mapper()?;
         let facts = self.run.facts(mapper, thing.into())?;
         let segment = segment_of(self.run.session().mappers().get(mapper)?, thing.into())?;
-        let DVec2 { x, y } = self.views.to_pixels(view, self.view_from_map(mapper) * segment.midpoint());
+        let DVec2 { x, y } =
+            self.views.to_pixels(view, self.view_from_map(view, mapper) * segment.midpoint());
         Some(Told { thing, x, y, facts })
     }
 
     /// How the map of a mapper lies in what its view shows.
-    pub(super) fn view_from_map(&self, mapper: usize) -> Pose {
+    pub(super) fn view_from_map(&self, view: View, mapper: usize) -> Pose {
         let session = self.run.session();
-        let middle = self.views.camera().center;
+        let middle = self.views.camera(view).center;
         let place = self.stance.view_from_map(session, mapper, middle);
         place.or(crate::scenes::shared_from_map(session, mapper)).unwrap_or(Pose::IDENTITY)
     }

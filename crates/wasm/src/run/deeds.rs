@@ -61,7 +61,8 @@ impl Run {
 
     pub(super) fn course(&self) -> Course {
         let (source, position) = (self.session.record().source.clone().into(), self.session.position());
-        Course { source, driver: self.driver.clone().map(Rc::new), live: self.live, position }
+        let driver = self.driver.clone().map(Rc::new);
+        Course { source, driver, drawn: self.drawn, live: self.live, position }
     }
 
     /// Takes back the last thing that a person told the robot; `false` if there is none.
@@ -111,7 +112,7 @@ impl Run {
         if self.session.go_over_to(&course.source) {
             self.forget_after(parting);
             self.courses.go_over();
-            (self.live, self.courses.branches) = (course.live, branches);
+            (self.live, self.drawn, self.courses.branches) = (course.live, course.drawn, branches);
             self.driver = course.driver.map(Rc::unwrap_or_clone);
             self.jump(course.position);
         }

@@ -33,7 +33,8 @@ impl Run {
             record: self.session.record().clone(),
             at: self.session.position(),
             live: self.live,
-            on_route: self.driver.is_some(),
+            // A drawn way is kept as far as it has been driven: as the steps that the robot was told.
+            on_route: self.driver.is_some() && !self.drawn,
         };
         situation::write(&situation, self.label.building.as_deref())
     }

@@ -60,13 +60,12 @@ fn a_page_can_look_anywhere() {
     let mut laboratory = begin(CELL, "bad").ok().unwrap();
     laboratory.resize(&ts(r#""world""#), 640.0, 480.0).ok().unwrap();
     laboratory.resize(&ts(r#""fourth""#), f64::NAN, -3.0).ok().unwrap();
-    laboratory.drag(f64::INFINITY, 3.0);
+    laboratory.drag(f64::INFINITY, 3.0, &ts(r#""first""#)).ok().unwrap();
     laboratory.zoom(0.0, &ts(r#""world""#), None, None).ok().unwrap();
     laboratory.zoom(1e300, &ts(r#""first""#), Some(1.0), Some(f64::NAN)).ok().unwrap();
     laboratory.fit();
     laboratory.close(&ts(r#""fourth""#)).ok().unwrap();
-    let layers =
-        r#"{"colours":"asr","exits":true,"network":true,"truth":true,"homing":false,"stance":"robot"}"#;
+    let layers = r#"{"colours":"asr","exits":true,"network":true,"truth":true,"fit":"best_fit","homing":false,"stance":"robot"}"#;
     laboratory.show(&ts(layers)).ok().unwrap();
     assert!(laboratory.reach(320.0, 100.0));
     assert!(!laboratory.reach(f64::NAN, 100.0));

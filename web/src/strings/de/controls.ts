@@ -1,4 +1,4 @@
-import type { HomingStatus } from '../../wasm/cogmap_wasm';
+import type { Followed, HomingStatus } from '../../wasm/cogmap_wasm';
 import { moment, number, whole } from '../words';
 
 /** What each way of going home is, and whose idea. */
@@ -109,6 +109,28 @@ export const controls = {
     right: 'Rechts drehen',
     stop: 'Halt',
     stick: 'Schieben Sie den Stick dorthin, wohin der Roboter fahren soll; Loslassen hält ihn an',
+  },
+
+  /** A way that is drawn for the robot to follow. */
+  way: {
+    open: 'Weg zeichnen',
+    openHint: 'In die Welt zeichnen, wohin der Roboter fahren soll (Q). Mit der Tastatur: Die Pfeiltasten steuern ihn Schritt für Schritt',
+    ofLog: 'Eine Aufzeichnung hat keinen Roboter, den man schicken könnte',
+    hint: 'Zeichnen Sie, wohin der Roboter fahren soll; ein Klick schickt ihn geradewegs dorthin. Ohne Zeiger gehen die Pfeiltasten.',
+    said: (followed: Followed) => {
+      switch (followed.kind) {
+        case 'going':
+          return `Unterwegs: ${number(followed.metres, 1)} m${followed.around ? ', um das herum, was im Weg ist' : ''}.`;
+        case 'no_room':
+          return 'Der Roboter bleibt: Nirgends auf dieser Linie ist Platz für ihn.';
+        case 'unreachable':
+          return 'Der Roboter bleibt: Ein Teil dieser Linie ist von hier nicht zu erreichen.';
+        case 'no_line':
+          return 'Der Roboter bleibt: Diese Linie führt nicht von ihm weg.';
+        case 'no_building':
+          return 'Eine Aufzeichnung hat keinen Roboter, den man schicken könnte.';
+      }
+    },
   },
 
   gamepad: {

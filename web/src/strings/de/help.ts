@@ -27,6 +27,7 @@ export const help = {
     { keys: ['<', '>'], does: 'zum vorigen, zum nächsten Ereignis' },
     { keys: ['Strg Z', 'Strg Umschalt Z'], does: 'rückgängig machen, was Sie dem Roboter sagten oder änderten, und es wiederholen' },
     { keys: ['B'], does: 'das Gebäude ändern: Türen, Kisten, Leute, Fehler, wo der Roboter steht' },
+    { keys: ['Q'], does: 'dem Roboter mit dem Zeiger einen Weg zeichnen; ohne Zeiger steuern ihn die Pfeiltasten' },
     { keys: ['U'], does: 'das Gebäude bearbeiten oder ein neues zeichnen' },
     { keys: ['V'], does: 'hinüber zum anderen Zweig' },
     { keys: ['Y'], does: 'warum? Den letzten Schritt zerlegen' },

@@ -3,6 +3,7 @@ import { changing } from './changing';
 import { controls } from './controls';
 import { help } from './help';
 import { keeping } from './keeping';
+import { plan } from './plan';
 import { plots } from './plots';
 import { seeing } from './seeing';
 import { telling } from './telling';
@@ -19,6 +20,7 @@ export const de: Strings = {
   ...seeing,
   ...changing,
   why,
+  plan,
   plots,
   ...telling,
   ...keeping,

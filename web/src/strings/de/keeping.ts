@@ -4,7 +4,7 @@ import { day, moment, whole } from '../words';
 export const keeping = {
   files: {
     open: 'Öffnen …',
-    openHint: 'Eine Aufzeichnung (CARMEN), eine Sitzung oder eine Welt öffnen. Eine Datei auf die Seite zu ziehen wirkt ebenso.',
+    openHint: 'Eine Aufzeichnung (CARMEN), eine Sitzung, eine Welt oder einen Grundriss (PNG oder PGM, auch mit seiner map_server-YAML) öffnen. Eine Datei auf die Seite zu ziehen wirkt ebenso.',
     save: 'Sichern, teilen',
     link: { name: 'Link kopieren', hint: 'öffnet genau diesen Augenblick dieser Fahrt' },
     picture: { name: 'Bild', hint: 'die Welt und die Gedächtnisse mit ihren Legenden, als PNG' },
@@ -18,7 +18,7 @@ export const keeping = {
     table: { name: 'Tabelle', hint: 'wo der Roboter war und wo er zu sein glaubte, Ansicht für Ansicht, als CSV' },
     everything: { name: 'Alles', hint: 'Sitzung, Karten, Zeichnung, Tabelle, Bahnen (TUM) und Posengraphen (g2o) in einem ZIP-Archiv' },
     drop: 'Hier ablegen',
-    dropHint: 'Eine Aufzeichnung (CARMEN, auch gezippt), eine Sitzung oder eine Welt',
+    dropHint: 'Eine Aufzeichnung (CARMEN, auch gezippt), eine Sitzung, eine Welt oder ein Grundriss (PNG, PGM)',
     reading: (name: string) => `${name} wird gelesen …`,
     refused: (reason: string) => `Das ging nicht. ${reason}`,
     dismiss: 'Schließen',

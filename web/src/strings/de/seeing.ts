@@ -51,6 +51,10 @@ export const seeing = {
     homingHint: 'Was der Roboter auf dem Heimweg vorhat: wohin er könnte, wohin er fährt und wonach er nicht mehr geht',
     truth: 'Wahrheit',
     truthHint: 'Legt die Welt über die Gedächtnisse',
+    fit: 'gelegt nach',
+    fits: { first_view: 'erster Ansicht', best_fit: 'bester Passung' },
+    fitHint:
+      'Nach der ersten Ansicht sieht man Fehler dort, wo sie entstanden; nach bester Passung liegt der ganze erinnerte Weg so nah am wahren, wie Schieben und Drehen ihn bringen',
   },
 
   facts: {
@@ -108,6 +112,13 @@ export const seeing = {
   },
 
   by: (mapper: string, said: string) => `${mapper}: ${said}`,
+
+  divider: {
+    name: (view: string) => `Größe von „${view}“`,
+    share: (percent: number) => `${percent} % des Platzes`,
+    folded: { first: 'eingeklappt', others: 'der ganze Platz' },
+    hint: 'Ziehen gibt einer Seite mehr Platz, bis an den Rand klappt es sie ein; ein Doppelklick teilt gleich. Tasten: Pfeile, Eingabe',
+  },
 
   zoom: { title: 'Vergrößerung', in: 'Vergrößern', out: 'Verkleinern', fit: 'Alles zeigen' },
 } as const;

@@ -1,4 +1,4 @@
-import type { HomingStatus } from '../../wasm/cogmap_wasm';
+import type { Followed, HomingStatus } from '../../wasm/cogmap_wasm';
 import { moment, number, whole } from '../words';
 
 /** What each way of going home is, and whose idea. */
@@ -95,6 +95,28 @@ export const controls = {
     right: 'Turn right',
     stop: 'Stop',
     stick: 'Push the stick to where the robot should go; let go to stop',
+  },
+
+  /** A way that is drawn for the robot to follow. */
+  way: {
+    open: 'Draw a way',
+    openHint: 'Draw into the world where the robot is to go (Q). By keyboard: the arrow keys drive it step by step',
+    ofLog: 'A recorded log has no robot that could be sent anywhere',
+    hint: 'Draw where the robot is to go; a click sends it straight there. The arrow keys do without a pointer.',
+    said: (followed: Followed) => {
+      switch (followed.kind) {
+        case 'going':
+          return `On its way: ${number(followed.metres, 1)} m${followed.around ? ', around what is in the way' : ''}.`;
+        case 'no_room':
+          return 'The robot stays: nowhere along that line is there room for it.';
+        case 'unreachable':
+          return 'The robot stays: a part of that line cannot be reached from here.';
+        case 'no_line':
+          return 'The robot stays: that line does not lead away from it.';
+        case 'no_building':
+          return 'A recorded log has no robot that could be sent anywhere.';
+      }
+    },
   },
 
   gamepad: {

@@ -27,6 +27,7 @@ export const help = {
     { keys: ['<', '>'], does: 'to the event before, to the next event' },
     { keys: ['Ctrl Z', 'Ctrl Shift Z'], does: 'undo what you told the robot or changed, and redo it' },
     { keys: ['B'], does: 'change the building: doors, boxes, people, errors, where the robot stands' },
+    { keys: ['Q'], does: 'draw a way for the robot with the pointer; without one, the arrow keys drive it' },
     { keys: ['U'], does: 'edit the building, or draw a new one' },
     { keys: ['V'], does: 'over to the other branch' },
     { keys: ['Y'], does: 'why? Take the latest step apart' },

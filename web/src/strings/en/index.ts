@@ -2,6 +2,7 @@ import { changing } from './changing';
 import { controls } from './controls';
 import { help } from './help';
 import { keeping } from './keeping';
+import { plan } from './plan';
 import { plots } from './plots';
 import { seeing } from './seeing';
 import { telling } from './telling';
@@ -18,6 +19,7 @@ export const en = {
   ...seeing,
   ...changing,
   why,
+  plan,
   plots,
   ...telling,
   ...keeping,

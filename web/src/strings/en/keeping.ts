@@ -4,7 +4,7 @@ import { day, moment, whole } from '../words';
 export const keeping = {
   files: {
     open: 'Open…',
-    openHint: 'Open a recorded log (CARMEN), a session or a world. Dropping a file on the page does the same.',
+    openHint: 'Open a recorded log (CARMEN), a session, a world or a floor plan (PNG or PGM, also with its map_server YAML). Dropping a file on the page does the same.',
     save: 'Save, share',
     link: { name: 'Copy link', hint: 'opening it gives exactly this moment of this run' },
     picture: { name: 'Picture', hint: 'the world and the memories with their legends, as a PNG' },
@@ -18,7 +18,7 @@ export const keeping = {
     table: { name: 'Table', hint: 'where the robot was and where it believed to be, view by view, as CSV' },
     everything: { name: 'Everything', hint: 'session, maps, drawing, table, trajectories (TUM) and pose graphs (g2o), in a ZIP archive' },
     drop: 'Drop it here',
-    dropHint: 'A recorded log (CARMEN, gzipped or not), a session or a world',
+    dropHint: 'A recorded log (CARMEN, gzipped or not), a session, a world or a floor plan (PNG, PGM)',
     reading: (name: string) => `Reading ${name}…`,
     refused: (reason: string) => `That did not work. ${reason}`,
     dismiss: 'Dismiss',

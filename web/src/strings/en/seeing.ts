@@ -51,6 +51,10 @@ export const seeing = {
     homingHint: 'What the robot has in mind on its way home: where it could go, where it goes, and what it no longer goes by',
     truth: 'truth',
     truthHint: 'Lay the world over the memories',
+    fit: 'laid by',
+    fits: { first_view: 'the first view', best_fit: 'best fit' },
+    fitHint:
+      'By the first view, what went wrong since is seen where it went wrong; by best fit, the whole path in memory lies as near to the true one as shifting and turning bring it',
   },
 
   facts: {
@@ -108,6 +112,13 @@ export const seeing = {
   },
 
   by: (mapper: string, said: string) => `${mapper}: ${said}`,
+
+  divider: {
+    name: (view: string) => `Size of “${view}”`,
+    share: (percent: number) => `${percent} % of the room`,
+    folded: { first: 'folded away', others: 'all of the room' },
+    hint: 'Drag to give one side more room, to the edge to fold it away; double-click for equal shares. Keys: arrows, Enter',
+  },
 
   zoom: { title: 'Zoom', in: 'Zoom in', out: 'Zoom out', fit: 'Show everything' },
 } as const;

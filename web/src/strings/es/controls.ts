@@ -1,4 +1,4 @@
-import type { HomingStatus } from '../../wasm/cogmap_wasm';
+import type { Followed, HomingStatus } from '../../wasm/cogmap_wasm';
 import { moment, number, whole } from '../words';
 
 /** What each way of going home is, and whose idea. */
@@ -109,6 +109,28 @@ export const controls = {
     right: 'Girar a la derecha',
     stop: 'Alto',
     stick: 'Empuje la palanca hacia donde deba ir el robot; suéltela para pararlo',
+  },
+
+  /** A way that is drawn for the robot to follow. */
+  way: {
+    open: 'Trazar camino',
+    openHint: 'Trazar en el mundo por dónde ha de ir el robot (Q). Con el teclado: las flechas lo conducen paso a paso',
+    ofLog: 'Una grabación no tiene un robot al que enviar',
+    hint: 'Trace por dónde ha de ir el robot; un clic lo envía derecho a ese punto. Sin puntero sirven las flechas.',
+    said: (followed: Followed) => {
+      switch (followed.kind) {
+        case 'going':
+          return `En camino: ${number(followed.metres, 1)} m${followed.around ? ', rodeando lo que estorba' : ''}.`;
+        case 'no_room':
+          return 'El robot se queda: en ningún punto de esa línea hay sitio para él.';
+        case 'unreachable':
+          return 'El robot se queda: a una parte de esa línea no se puede llegar desde aquí.';
+        case 'no_line':
+          return 'El robot se queda: esa línea no lo aleja de donde está.';
+        case 'no_building':
+          return 'Una grabación no tiene un robot al que enviar.';
+      }
+    },
   },
 
   gamepad: {

@@ -27,6 +27,7 @@ export const help = {
     { keys: ['<', '>'], does: 'al suceso anterior, al siguiente' },
     { keys: ['Ctrl Z', 'Ctrl Mayús Z'], does: 'deshacer lo que le dijo al robot o cambió, y rehacerlo' },
     { keys: ['B'], does: 'cambiar el edificio: puertas, cajas, gente, errores, dónde está el robot' },
+    { keys: ['Q'], does: 'trazar un camino para el robot con el puntero; sin él, lo conducen las flechas' },
     { keys: ['U'], does: 'modificar el edificio o dibujar uno nuevo' },
     { keys: ['V'], does: 'pasar a la otra rama' },
     { keys: ['Y'], does: '¿por qué? Desmontar el último paso' },

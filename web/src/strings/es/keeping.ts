@@ -4,7 +4,7 @@ import { day, moment, whole } from '../words';
 export const keeping = {
   files: {
     open: 'Abrir…',
-    openHint: 'Abrir una grabación (CARMEN), una sesión o un mundo. Soltar un archivo sobre la página hace lo mismo.',
+    openHint: 'Abrir una grabación (CARMEN), una sesión, un mundo o un plano (PNG o PGM, también con su YAML de map_server). Soltar un archivo sobre la página hace lo mismo.',
     save: 'Guardar, compartir',
     link: { name: 'Copiar enlace', hint: 'al abrirlo se llega exactamente a este momento de este recorrido' },
     picture: { name: 'Imagen', hint: 'el mundo y las memorias con sus leyendas, como PNG' },
@@ -18,7 +18,7 @@ export const keeping = {
     table: { name: 'Tabla', hint: 'dónde estaba el robot y dónde creía estar, vista por vista, como CSV' },
     everything: { name: 'Todo', hint: 'sesión, mapas, dibujo, tabla, trayectorias (TUM) y grafos de poses (g2o), en un archivo ZIP' },
     drop: 'Suéltelo aquí',
-    dropHint: 'Una grabación (CARMEN, comprimida o no), una sesión o un mundo',
+    dropHint: 'Una grabación (CARMEN, comprimida o no), una sesión, un mundo o un plano (PNG, PGM)',
     reading: (name: string) => `Leyendo ${name}…`,
     refused: (reason: string) => `No ha sido posible. ${reason}`,
     dismiss: 'Cerrar',

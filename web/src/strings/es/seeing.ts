@@ -51,6 +51,10 @@ export const seeing = {
     homingHint: 'Lo que el robot piensa camino de casa: adónde podría ir, adónde va y qué ya no tiene en cuenta',
     truth: 'verdad',
     truthHint: 'Poner el mundo sobre las memorias',
+    fit: 'según',
+    fits: { first_view: 'la primera vista', best_fit: 'el mejor ajuste' },
+    fitHint:
+      'Según la primera vista, los errores se ven donde surgieron; según el mejor ajuste, todo el camino recordado queda tan cerca del verdadero como permiten desplazar y girar',
   },
 
   facts: {
@@ -108,6 +112,13 @@ export const seeing = {
   },
 
   by: (mapper: string, said: string) => `${mapper}: ${said}`,
+
+  divider: {
+    name: (view: string) => `Tamaño de «${view}»`,
+    share: (percent: number) => `${percent} % del espacio`,
+    folded: { first: 'plegado', others: 'todo el espacio' },
+    hint: 'Arrastre para dar más espacio a un lado, hasta el borde para plegarlo; doble clic para partes iguales. Teclas: flechas, Intro',
+  },
 
   zoom: { title: 'Ampliación', in: 'Ampliar', out: 'Reducir', fit: 'Mostrar todo' },
 } as const;
