@@ -1,5 +1,6 @@
 import { expose } from 'comlink';
-import init, { FloorPlan, type PlanReport } from '../wasm/cogmap_wasm';
+import { FloorPlan, type PlanReport } from '../wasm/cogmap_wasm';
+import * as engine from './engine';
 import type { Brought } from './protocol';
 
 /** Pixels to a side that are shown of a floor plan at most. */
@@ -21,7 +22,7 @@ export class Plans {
   private plan: FloorPlan | undefined;
 
   async look({ name, bytes }: Brought): Promise<Pictured> {
-    await init();
+    await engine.begin();
     this.plan = new FloorPlan(name, bytes, SHOWN);
     const { width, height, columns, shades } = this.plan;
     return { width, height, columns, shades };
