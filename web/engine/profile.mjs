@@ -12,7 +12,7 @@ import { plain } from './names.mjs';
 const folder = join(import.meta.dirname, '../src/wasm');
 const list = join(import.meta.dirname, 'first.txt');
 /** Milliseconds that are watched once the robot drives by itself, and while somebody holds each key. */
-const WATCHED = [6000, 2500];
+const WATCHED = [2000, 1200];
 
 /** Tells the module's functions apart by numbers, and the worker which of them were called. */
 const HEAD = `{ globalThis.touched = new Set();
