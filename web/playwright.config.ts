@@ -24,7 +24,7 @@ export default defineConfig({
   timeout: 60_000,
   expect: { timeout: 20_000 },
   forbidOnly: true,
-  workers: 1,
+  workers: 2,
   reporter: 'list',
   use: {
     baseURL: served ?? `http://127.0.0.1:${port}`,
