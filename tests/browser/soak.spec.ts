@@ -109,23 +109,22 @@ class WorkerSession {
     return answer;
   }
 
-  /** Bytes of all WebAssembly memories. */
+  /** Bytes of the engine's memory. */
   async wasmBytes(): Promise<number> {
-    const prototype = await this.send<{ result: { objectId: string } }>('Runtime.evaluate', {
-      expression: 'WebAssembly.Memory.prototype',
+    const { result } = await this.send<{ result: { value: number } }>('Runtime.evaluate', {
+      expression: 'globalThis.memory.buffer.byteLength',
     });
-    const prototypeObjectId = prototype.result.objectId;
-    const { objects } = await this.send<{ objects: { objectId: string } }>('Runtime.queryObjects', {
-      prototypeObjectId,
-    });
-    const size = await this.send<{ result: { value: number } }>('Runtime.callFunctionOn', {
-      objectId: objects.objectId,
-      functionDeclaration: 'function () { return this.reduce((sum, memory) => sum + memory.buffer.byteLength, 0); }',
-      returnByValue: true,
-    });
-    return size.result.value;
+    return result.value;
   }
 }
+
+/** Goes before a worker's script: where the engine's memory can be looked at. */
+const REMEMBER = `{ const instantiate = WebAssembly.instantiate;
+WebAssembly.instantiate = async (...given) => {
+  const instance = await instantiate(...given);
+  globalThis.memory = instance.exports.memory;
+  return instance;
+}; }\n`;
 
 /** Bytes in use after everything that nobody holds is gone: on the page, in its worker, and in the engine. */
 async function memory(cdp: CDPSession, worker: WorkerSession): Promise<Record<string, number>> {
@@ -142,7 +141,12 @@ const LEARNED = '--js-flags=--no-lazy-feedback-allocation --no-flush-bytecode';
 test('two hundred ways home leave nothing behind, and end as they do natively', async ({ baseURL, launchOptions }) => {
   test.setTimeout(600_000);
   const browser = await chromium.launch({ ...launchOptions, args: [...(launchOptions.args ?? []), LEARNED] });
-  const context = await browser.newContext({ baseURL: baseURL ?? '' });
+  const context = await browser.newContext({ baseURL: baseURL ?? '', serviceWorkers: 'block' });
+  await context.route('**/*.js', async (route) => {
+    const response = await route.fetch();
+    const script = await response.text();
+    await route.fulfill({ response, body: script.includes('WebAssembly.instantiate') ? REMEMBER + script : script });
+  });
   const page = await context.newPage();
   await page.addInitScript({ path: resolve(__dirname, '../../web/node_modules/comlink/dist/umd/comlink.js') });
   await page.addInitScript(() => {

@@ -9,14 +9,10 @@ import theRest from '../wasm/rest.wasm?url';
 let first: WebAssembly.Exports = {};
 let rest: WebAssembly.Exports | undefined;
 
-const standIns = new Proxy({} as WebAssembly.ModuleImports, {
-  get: (_, name: string) => (...given: unknown[]) => called(restNow()[name])(...given),
-});
-
 /** Loads the first part; until then nothing of the engine may be called. */
 export async function begin(): Promise<void> {
   const module = await compiled(firstPart);
-  ({ exports: first } = await WebAssembly.instantiate(module, { './cogmap_wasm_bg.js': glue, rest: standIns }));
+  ({ exports: first } = await WebAssembly.instantiate(module, { './cogmap_wasm_bg.js': glue, rest: standIns(module) }));
   glue.__wbg_set_wasm(first);
   called(first['__wbindgen_start'])();
 }
@@ -25,6 +21,13 @@ export async function begin(): Promise<void> {
 export async function complete(): Promise<void> {
   const module = await compiled(theRest).catch(() => undefined);
   if (module) rest ??= joined(module);
+}
+
+/** For each function of the rest that the first part calls, one that calls it there. */
+function standIns(module: WebAssembly.Module): WebAssembly.ModuleImports {
+  const names = WebAssembly.Module.imports(module).flatMap((it) => (it.module === 'rest' ? [it.name] : []));
+  const standIn = (name: string) => (...given: unknown[]) => called(restNow()[name])(...given);
+  return Object.fromEntries(names.map((name) => [name, standIn(name)]));
 }
 
 /** The rest, waited for by all of this worker: what is called cannot be put off. */
