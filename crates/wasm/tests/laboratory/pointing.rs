@@ -51,7 +51,7 @@ fn a_thing_stays_where_it_is_drawn_when_the_memory_is_looked_at_from_elsewhere()
     let mut laboratory = driven();
     let layers = |stance: &str| {
         format!(
-            r#"{{"colours":"view","exits":true,"network":false,"truth":false,"homing":true,"stance":"{stance}"}}"#
+            r#"{{"colours":"view","exits":true,"network":false,"truth":false,"fit":"first_view","homing":true,"stance":"{stance}"}}"#
         )
     };
     let mut places = Vec::new();
