@@ -13,7 +13,7 @@ pub(super) struct Hair {
 /// Wider lines than this are drawn as such, in pixels of the canvas.
 const BUNDLED: f64 = 4.0;
 
-/// The hairlines that a line is drawn as: browsers draw a path of many hairlines many times faster than one of wide
+/// The hairlines that a line is drawn as: browsers draw a path of many hairlines much faster than one of wide
 /// lines, or than the wide lines one by one. None for hairlines, for very wide lines, and for lines that let the
 /// ground through, which must not do so twice where they meet.
 pub(super) fn hairs(stroke: Stroke, density: f64) -> Vec<Hair> {
