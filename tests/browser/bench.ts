@@ -8,8 +8,8 @@ type Savable = 'Picture' | 'Drawing' | 'Session' | 'Map' | 'Map by odometry' | '
 export class BenchPage {
   constructor(readonly page: Page) {}
 
-  /** Opens the page and waits until the robot is under way. */
-  async open(address = ''): Promise<void> {
+  /** Opens the page, on one memory unless the address says otherwise, and waits until the robot is under way. */
+  async open(address = '?mappers=consensus'): Promise<void> {
     await this.page.goto(`./${address}`);
     await expect.poll(() => this.surfaces()).toBeGreaterThan(0);
   }

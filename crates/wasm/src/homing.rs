@@ -1,5 +1,6 @@
 //! How it goes with going home, in figures and for words.
 
+use cogmap_mapping::MapperSetup;
 use cogmap_navigation::{Atlas, Belief, Decision, HomingEvent, Mode};
 use cogmap_simulation::{Command, Session, SessionEvent, WorldEvent};
 
@@ -23,6 +24,7 @@ pub(crate) fn homing(session: &Session) -> Option<HomingStatus> {
     let last = decisions.last();
     Some(HomingStatus {
         strategy: strategy.name().to_owned(),
+        by: guide(session)?.name().to_owned(),
         lead: last.map(|decision| lead(decision.mode)),
         why: last.map(|decision| decision.why.clone()),
         decisions: decisions.len(),
@@ -38,6 +40,12 @@ fn decisions(session: &Session) -> &[Decision] {
     let undecided = session.homing().is_some_and(|pilot| pilot.decisions() == 0);
     let begun = journal.homings.last().filter(|_| !undecided);
     begun.and_then(|begun| journal.decisions.get(begun.decisions..)).unwrap_or_default()
+}
+
+/// The mapper whose memory leads the robot.
+fn guide(session: &Session) -> Option<&MapperSetup> {
+    let record = session.record();
+    record.navigator.as_ref().or(record.mappers.first())
 }
 
 /// How the latest way home ended.

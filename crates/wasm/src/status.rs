@@ -84,6 +84,8 @@ pub struct DoorStatus {
 pub struct HomingStatus {
     /// How it finds the way.
     pub strategy: String,
+    /// The mapper whose memory it goes by.
+    pub by: String,
     /// What leads it, once it has decided something.
     pub lead: Option<Lead>,
     /// What it decided last and why, a sentence.

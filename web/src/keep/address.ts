@@ -2,7 +2,8 @@ import { strings } from '../strings';
 import { GENERATED, type Choice, type Offer } from '../worker/protocol';
 
 /**
- * What the address asks for: `?embed`, `?world=NAME`, `&number=N` (of a generated building), `&seed=N`, `&lang=de`.
+ * What the address asks for: `?embed`, `?world=NAME`, `&number=N` (of a generated building), `&seed=N`,
+ * `&mappers=NAME,NAME`, `&lang=de`.
  * `?lesson=` is reserved: nothing reads it yet, and nothing complains about it.
  */
 export class Address {
@@ -23,7 +24,7 @@ export class Address {
   }
 
   /** The choice that is asked for, and what there is to say about the parts that cannot be had. */
-  choice({ worlds }: Offer): { asked: Partial<Choice>; complaints: string[] } {
+  choice({ worlds, choices }: Offer): { asked: Partial<Choice>; complaints: string[] } {
     const asked: Partial<Choice> = {};
     const complaints: string[] = [];
     const world = this.query.get('world');
@@ -39,6 +40,10 @@ export class Address {
       if (Number.isSafeInteger(number)) asked[part] = number;
       else complaints.push(strings.address.number(key, written));
     }
+    const mappers = [...new Set(this.query.get('mappers')?.split(',') ?? [])];
+    const unknown = mappers.filter((name) => !choices.mappers.includes(name));
+    if (unknown.length > 0) complaints.push(strings.address.mappers(unknown, choices.mappers));
+    else if (mappers.length > 0) asked.mappers = mappers;
     return { asked, complaints };
   }
 }

@@ -16,6 +16,7 @@ import { brought, save } from './save';
 import { Showing } from './showing.svelte';
 import { TextView } from './text.svelte';
 import { Timeline } from './timeline.svelte';
+import { Trusting } from './trusting.svelte';
 import { Way } from './way.svelte';
 import { Why } from './why.svelte';
 import { isCrash, reason, Workshop } from './workshop';
@@ -25,6 +26,8 @@ export const PACES: Pace[] = [1, 2, 4, 8, 16, 32, 'full'];
 
 /** The building that the page opens on. */
 const OPENING_WORLD = 'office';
+/** The mapper whose memory stands beside the first one's when the page opens: which of them is to be trusted? */
+const OPENING_RIVAL = 'odometry';
 /** How many views of it the robot has taken when the page opens: enough to see what a memory is. */
 const OPENING_VIEWS = 6;
 
@@ -50,6 +53,8 @@ export class Lab {
   readonly showing = new Showing(() => this.bench);
   /** Where the divider between the views stands. */
   readonly dividing = new Dividing();
+  /** Which memory is trusted to lead the robot home. */
+  readonly trusting = new Trusting((mapper) => this.trust(mapper));
   /** What the timeline marks. */
   readonly timeline = new Timeline();
 
@@ -68,7 +73,7 @@ export class Lab {
   /** The views on the page; at first the memory, until it is known how many there are. */
   readonly views = $derived<View[]>([
     ...(this.showing.world ? (['world'] as const) : []),
-    ...(this.status?.memories.map(({ view }) => view) ?? (['first'] as const)),
+    ...(this.status ? this.trusting.arranged(this.status.memories).map(({ view }) => view) : (['first'] as const)),
   ]);
 
   /** What was done to the building or the robot just now. */
@@ -116,7 +121,8 @@ export class Lab {
       const { asked, complaints } = this.address.choice(offer);
       this.showing.layers = layers;
       this.strategy = strategy;
-      await this.start({ world: world?.file ?? '', robot, mappers: [mapper], seed, ...asked }, OPENING_VIEWS);
+      const mappers = this.address.embed ? [mapper] : [mapper, OPENING_RIVAL];
+      await this.start({ world: world?.file ?? '', robot, mappers, seed, ...asked }, OPENING_VIEWS);
       this.offer = offer;
       if (complaints.length > 0) this.refusal = complaints.join('\n');
     } catch (error) {
@@ -177,11 +183,10 @@ export class Lab {
 
   /** Shows another mapper's memory of the same run, or takes it away; one always stays. */
   toggleMapper(name: string): void {
-    const others = this.mappers.filter((mapper) => mapper !== name);
-    const mappers = others.length < this.mappers.length ? others : [...others, name];
-    if (mappers.length === 0) return;
-    this.choice = { ...this.choice, mappers };
-    void this.ask(() => this.bench.remap(mappers));
+    void this.ask(async () => {
+      const mappers = await this.bench.toggleMapper(name);
+      this.choice = { ...this.choice, mappers };
+    });
   }
 
   /** Runs the same world or file with another set-up. */
@@ -210,6 +215,12 @@ export class Lab {
   goHome(): void {
     if (this.going?.strategy === this.strategy) this.play();
     else this.order({ kind: 'go_home', strategy: this.strategy });
+  }
+
+  private trust(mapper: string): void {
+    if (this.status?.source !== 'world') return;
+    this.driven = true;
+    void this.ask(() => this.bench.trust(mapper, this.strategy));
   }
 
   reach(x: number, y: number): void {
@@ -277,6 +288,7 @@ export class Lab {
 
   private hear({ status, playing, pace, marks, why, pointed }: Notice): void {
     this.timeline.hear(marks);
+    this.trusting.hear(status);
     this.status = status;
     if (this.why.view && !status.memories.some(({ view }) => view === this.why.view)) this.why.close();
     this.why.hear(why);

@@ -3,6 +3,7 @@ import { Laboratory, type Alteration, type Followed, type Layers, type Look, typ
 import { begun, chosen, opened } from './choice';
 import * as engine from './engine';
 import { hold } from './lifeline';
+import { toggleMapper, trust } from './minds';
 import { Player } from './player';
 import type { Brought, Choice, Moment, Notice, Offer, Pace, Resumable, Resumed, Saved, View } from './protocol';
 import { archive, drawingOf, mapOf, sessionOf, tableOf } from './saving';
@@ -95,12 +96,13 @@ export class Bench {
     this.read(this.brought, choice);
   }
 
-  /** Shows the same run to other mappers: a drive goes on where it is, a log is mapped again. */
-  remap(mappers: string[]): void {
-    this.mounted().remap(mappers);
-    this.player.touch();
-    if (this.player.source === 'log') this.player.play(true);
-    else this.player.refresh();
+  /** Shows the same run to one mapper more or less, and returns all that are left. */
+  toggleMapper = (name: string): string[] => toggleMapper(this.player, name);
+
+  /** Sends the robot home by what one of the memories says, from where it was told to go home last if it was. */
+  trust(mapper: string, strategy: string): void {
+    trust(this.player, mapper);
+    this.order({ kind: 'go_home', strategy });
   }
 
   /** Goes back to the run before the log. */

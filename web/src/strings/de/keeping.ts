@@ -55,6 +55,8 @@ export const keeping = {
       `Eine Welt namens „${name}“ gibt es hier nicht. Es gibt: ${known.join(', ')}.`,
     number: (key: string, written: string) =>
       `„${written}“ taugt nicht für ${key}: Es braucht eine ganze Zahl, wie in ${key}=7.`,
+    mappers: (unknown: string[], known: string[]) =>
+      `Ein Verfahren namens ${unknown.map((name) => `„${name}“`).join(' oder ')} gibt es nicht. Es gibt: ${known.join(', ')}; bis zu vier stehen nebeneinander, wie in mappers=consensus,odometry.`,
   },
 
   embed: { whole: 'Die ganze Seite öffnen' },

@@ -4,6 +4,7 @@ import { help } from './help';
 import { keeping } from './keeping';
 import { plan } from './plan';
 import { plots } from './plots';
+import { question } from './question';
 import { seeing } from './seeing';
 import { telling } from './telling';
 import { why } from './why';
@@ -21,6 +22,7 @@ export const en = {
   why,
   plan,
   plots,
+  question,
   ...telling,
   ...keeping,
   help,

@@ -55,6 +55,8 @@ export const keeping = {
       `There is no world called “${name}” here. Those that there are: ${known.join(', ')}.`,
     number: (key: string, written: string) =>
       `“${written}” is no ${key}: it takes a whole number, as in ${key}=7.`,
+    mappers: (unknown: string[], known: string[]) =>
+      `There is no mapper called ${unknown.map((name) => `“${name}”`).join(' or ')}. Those that there are: ${known.join(', ')}; up to four can stand side by side, as in mappers=consensus,odometry.`,
   },
 
   embed: { whole: 'Open the whole page' },

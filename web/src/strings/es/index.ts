@@ -5,6 +5,7 @@ import { help } from './help';
 import { keeping } from './keeping';
 import { plan } from './plan';
 import { plots } from './plots';
+import { question } from './question';
 import { seeing } from './seeing';
 import { telling } from './telling';
 import { why } from './why';
@@ -22,6 +23,7 @@ export const es: Strings = {
   why,
   plan,
   plots,
+  question,
   ...telling,
   ...keeping,
   help,

@@ -54,6 +54,8 @@ export const keeping = {
     world: (name: string, known: string[]) => `Aquí no hay ningún mundo llamado «${name}». Los que hay: ${known.join(', ')}.`,
     number: (key: string, written: string) =>
       `«${written}» no vale para ${key}: hace falta un número entero, como en ${key}=7.`,
+    mappers: (unknown: string[], known: string[]) =>
+      `No hay ningún método llamado ${unknown.map((name) => `«${name}»`).join(' o ')}. Los que hay: ${known.join(', ')}; caben hasta cuatro, como en mappers=consensus,odometry.`,
   },
 
   embed: { whole: 'Abrir la página completa' },

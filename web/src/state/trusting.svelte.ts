@@ -1,0 +1,37 @@
+import type { HomingStatus, Status } from '../wasm/cogmap_wasm';
+
+/** How a way home ended by which memory. */
+export type Outcome = Pick<HomingStatus, 'by' | 'distance'> & { ended: 'home' | 'stuck' };
+
+/** Which of several memories of one drive is to be trusted: the question, and what came of each answer. */
+export class Trusting {
+  /** Whether the question is on the page. */
+  open = $state(true);
+  /** How the ways home from one and the same place ended. */
+  outcomes = $state.raw<Outcome[]>([]);
+  /** The mappers as their memories stand on the page: one that is trusted does not change its place. */
+  private order: string[] = [];
+
+  constructor(private readonly send: (mapper: string) => void) {}
+
+  /** Sends the robot home by one of the memories. */
+  trust(mapper: string): void {
+    this.send(mapper);
+  }
+
+  dismiss = (): void => void (this.open = false);
+
+  hear({ homing, memories }: Status): void {
+    const names = memories.map(({ mapper }) => mapper);
+    if (names.length !== this.order.length || !names.every((name) => this.order.includes(name))) this.order = names;
+    if (!homing) this.outcomes = [];
+    if (homing?.ended !== 'home' && homing?.ended !== 'stuck') return;
+    const { by, distance, ended } = homing;
+    this.outcomes = [...this.outcomes.filter((outcome) => outcome.by !== by), { by, distance, ended }];
+  }
+
+  /** The memories in the order in which they stand on the page. */
+  arranged<Of extends { mapper: string }>(memories: Of[]): Of[] {
+    return memories.toSorted((one, other) => this.order.indexOf(one.mapper) - this.order.indexOf(other.mapper));
+  }
+}
