@@ -19,6 +19,7 @@ import { Timeline } from './timeline.svelte';
 import { Trusting } from './trusting.svelte';
 import { Way } from './way.svelte';
 import { Why } from './why.svelte';
+import { turn } from './turn';
 import { isCrash, reason, Workshop } from './workshop';
 
 /** Speeds to choose from. */
@@ -28,6 +29,8 @@ export const PACES: Pace[] = [1, 2, 4, 8, 16, 32, 'full'];
 const OPENING_WORLD = 'office';
 /** The mapper whose memory stands beside the first one's when the page opens: which of them is to be trusted? */
 const OPENING_RIVAL = 'odometry';
+/** The views that memories can have. */
+const MEMORIES: View[] = ['first', 'second', 'third', 'fourth'];
 /** How many views of it the robot has taken when the page opens: enough to see what a memory is. */
 const OPENING_VIEWS = 6;
 
@@ -70,10 +73,12 @@ export class Lab {
 
   /** The mappers whose memories are shown. */
   readonly mappers = $derived(this.status?.memories.map(({ mapper }) => mapper) ?? []);
-  /** The views on the page; at first the memory, until it is known how many there are. */
+  /** The views of memories of a run that is about to begin. */
+  private readonly awaited = $derived(MEMORIES.slice(0, Math.max(this.choice.mappers.length, 1)));
+  /** The views on the page. */
   readonly views = $derived<View[]>([
     ...(this.showing.world ? (['world'] as const) : []),
-    ...(this.status ? this.trusting.arranged(this.status.memories).map(({ view }) => view) : (['first'] as const)),
+    ...(this.status ? this.trusting.arranged(this.status.memories).map(({ view }) => view) : this.awaited),
   ]);
 
   /** What was done to the building or the robot just now. */
@@ -121,9 +126,10 @@ export class Lab {
       const { asked, complaints } = this.address.choice(offer);
       this.showing.layers = layers;
       this.strategy = strategy;
+      this.offer = offer;
+      await turn();
       const mappers = this.address.embed ? [mapper] : [mapper, OPENING_RIVAL];
       await this.start({ world: world?.file ?? '', robot, mappers, seed, ...asked }, OPENING_VIEWS);
-      this.offer = offer;
       if (complaints.length > 0) this.refusal = complaints.join('\n');
     } catch (error) {
       this.failure = reason(error);
@@ -156,7 +162,7 @@ export class Lab {
 
   /** Puts another worker in the place of one that has ended. */
   private readonly refurnish = async (cause: string): Promise<void> => {
-    if (!this.offer) {
+    if (!this.status) {
       this.failure = cause;
       return;
     }

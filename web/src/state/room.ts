@@ -8,3 +8,12 @@ export const wordy = new MediaQuery('(width >= 75rem) or (width < 62rem)');
 
 /** Whether panels and cards are sheets over the page, as on a phone. */
 export const phone = new MediaQuery('width < 48rem');
+
+/** Tells how large an element is, pixels, whenever that changes; it waits for the browser to lay the page out. */
+export const measured =
+  (tell: (width: number, height: number) => void) =>
+  (node: HTMLElement): (() => void) => {
+    const observer = new ResizeObserver(() => tell(node.clientWidth, node.clientHeight));
+    observer.observe(node);
+    return () => observer.disconnect();
+  };

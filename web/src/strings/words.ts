@@ -1,31 +1,29 @@
 import { locale } from './locale.svelte';
 
+/** Making one takes a while, so each is made once. */
 const formats = new Map<string, Intl.NumberFormat>();
 
-/** A number with so many digits behind the point. */
-export function number(value: number, digits: number): string {
-  const key = `${locale.tag} ${digits}`;
+function format(value: number, name: string, options: Intl.NumberFormatOptions): string {
+  const key = `${locale.tag} ${name}`;
   let format = formats.get(key);
   if (!format) {
-    format = new Intl.NumberFormat(locale.tag, {
-      minimumFractionDigits: digits,
-      maximumFractionDigits: digits,
-      useGrouping: false,
-    });
+    format = new Intl.NumberFormat(locale.tag, options);
     formats.set(key, format);
   }
   return format.format(value);
 }
 
-/** A number with no more digits than it needs. */
-export function plain(value: number): string {
-  return value.toLocaleString(locale.tag, { maximumFractionDigits: 2 });
+/** A number with so many digits behind the point. */
+export function number(value: number, digits: number): string {
+  const digital = { minimumFractionDigits: digits, maximumFractionDigits: digits, useGrouping: false };
+  return format(value, `${digits}`, digital);
 }
 
+/** A number with no more digits than it needs. */
+export const plain = (value: number): string => format(value, 'plain', { maximumFractionDigits: 2 });
+
 /** A whole number, its thousands set apart. */
-export function whole(value: number): string {
-  return value.toLocaleString(locale.tag);
-}
+export const whole = (value: number): string => format(value, 'whole', { maximumFractionDigits: 0 });
 
 /** A moment of a run, as minutes and seconds. */
 export function moment(seconds: number): string {
