@@ -8,15 +8,11 @@ const chart = (page: Page, caption: string) => panel(page).getByRole('figure').f
 const places = (page: Page) => panel(page).getByRole('toolbar', { name: 'Places' }).getByRole('button');
 const clock = (page: Page) => page.locator('output').first().innerText();
 
-/** Opens the page with two mappers and lets the robot drive its whole route. */
+/** Opens the page on its two memories and lets the robot drive its whole route. */
 async function driveRoute(page: Page, address = ''): Promise<BenchPage> {
   const bench = new BenchPage(page);
   await bench.open(address);
-  const phone = (page.viewportSize()?.width ?? 0) < 700;
-  if (phone) await page.getByRole('button', { name: 'Set-up' }).click();
-  await bench.chip('odometry').click();
   await expect(bench.memory).toHaveCount(2);
-  if (phone) await page.getByRole('button', { name: 'Set-up' }).click();
   await page.getByRole('button', { name: 'To the end' }).click();
   await expect(page.getByRole('button', { name: 'Play' })).toBeDisabled({ timeout: 50_000 });
   return bench;
