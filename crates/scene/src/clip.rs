@@ -6,6 +6,10 @@ pub(crate) fn clip(line: [DVec2; 2], size: DVec2, margin: f64) -> Option<[DVec2;
     let [from, to] = line;
     let along = to - from;
     let (min, max) = (DVec2::splat(-margin), size + margin);
+    let within = |end: DVec2| end.cmpge(min).all() && end.cmple(max).all();
+    if within(from) && within(to) {
+        return Some(line);
+    }
     if !(from.is_finite() && to.is_finite()) {
         return None;
     }

@@ -53,6 +53,16 @@ pub struct Style {
     pub dashed: bool,
 }
 
+/// A longer run has only so many colours, so that surfaces of neighbouring views can be painted together.
+const RUN_COLOURS: usize = 64;
+
+/// How far through a run of so many views a view is, from 0 to 1.
+fn share_of_run(view: usize, views: usize) -> f64 {
+    let views = views.max(2);
+    let colours = views.min(RUN_COLOURS);
+    (view * colours / views) as f64 / (colours - 1) as f64
+}
+
 impl Theme {
     pub(crate) fn palette(self) -> &'static Palette {
         match self {
@@ -91,7 +101,7 @@ impl Theme {
     #[must_use]
     pub fn style(self, role: Role, views: usize, pixels_per_metre: f64) -> Style {
         let palette = self.palette();
-        let share = |view: usize| view as f64 / (views.max(2) - 1) as f64;
+        let share = |view: usize| share_of_run(view, views);
         let share_of_age = |age: u32| f64::from(age) / f64::from(views.max(2).ilog2());
         let solid = Colour::solid;
         match role {

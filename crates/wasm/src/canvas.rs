@@ -1,13 +1,18 @@
 //! The painter for the browser's canvas.
 
+use std::rc::Rc;
+
 use cogmap_geometry::{DVec2, trig::TAU};
-use cogmap_scene::{Anchor, Colour, FONT_FAMILY, HALO, Item, Mark, Picture, Scene, Sheet, Stroke};
-use wasm_bindgen::{JsCast, JsValue};
+use cogmap_scene::{Anchor, Colour, FONT_FAMILY, HALO, Mark, Picture, Scene, Sheet, Stroke};
+use wasm_bindgen::{JsCast, JsValue, intern};
 use web_sys::{OffscreenCanvas, OffscreenCanvasRenderingContext2d as Context};
 
 mod hair;
 
-use hair::hairs;
+use hair::{along, hairs};
+
+/// Half the side of a square as large as a circle, in radii: √π / 2.
+const DOT: f64 = 0.886;
 
 /// Where on a canvas a sheet lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,8 +35,7 @@ pub(crate) struct Canvas {
 /// The still part of a picture: everything that it depends on.
 #[derive(Debug)]
 struct Still {
-    items: Vec<Item>,
-    views: usize,
+    scene: Rc<Scene>,
     sheet: Sheet,
     density: f64,
 }
@@ -44,7 +48,7 @@ impl Canvas {
     pub(crate) fn paint(
         &mut self,
         context: &Context,
-        scene: &Scene,
+        scene: &Rc<Scene>,
         sheet: &Sheet,
         place: Place,
     ) -> Result<(), JsValue> {
@@ -74,7 +78,7 @@ impl Canvas {
 
     /// Keeps the still part as a picture if it is the same as the last time: while somebody moves the map about, or
     /// it grows in every frame, a picture of it would be made for nothing.
-    fn keep(&mut self, scene: &Scene, sheet: &Sheet, density: f64) -> Result<(), JsValue> {
+    fn keep(&mut self, scene: &Rc<Scene>, sheet: &Sheet, density: f64) -> Result<(), JsValue> {
         let shows = |still: &Still| still.shows(scene, sheet, density);
         self.kept.take_if(|(still, _)| !shows(still));
         if self.kept.is_some() {
@@ -85,21 +89,16 @@ impl Canvas {
                 let canvas = picture(scene, sheet, density)?;
                 self.kept = Some((still, canvas));
             }
-            None => self.last = Some(Still::of(scene, sheet, density)),
+            None => self.last = Some(Still { scene: scene.clone(), sheet: *sheet, density }),
         }
         Ok(())
     }
 }
 
 impl Still {
-    fn of(scene: &Scene, sheet: &Sheet, density: f64) -> Self {
-        Self { items: scene.still.clone(), views: scene.views, sheet: *sheet, density }
-    }
-
-    fn shows(&self, scene: &Scene, sheet: &Sheet, density: f64) -> bool {
-        (self.views, self.density) == (scene.views, density)
-            && self.sheet == *sheet
-            && self.items == scene.still
+    fn shows(&self, scene: &Rc<Scene>, sheet: &Sheet, density: f64) -> bool {
+        let same = |scene: &Scene| self.scene.views == scene.views && self.scene.still == scene.still;
+        self.density == density && self.sheet == *sheet && (Rc::ptr_eq(&self.scene, scene) || same(scene))
     }
 }
 
@@ -115,7 +114,7 @@ fn picture(scene: &Scene, sheet: &Sheet, density: f64) -> Result<OffscreenCanvas
 }
 
 fn paint_still(context: &Context, scene: &Scene, sheet: &Sheet, density: f64) -> Result<(), JsValue> {
-    context.set_fill_style_str(&sheet.theme.paper().css());
+    fill_with(context, sheet.theme.paper());
     context.fill_rect(0.0, 0.0, sheet.width, sheet.height);
     draw(context, &Picture::still(scene, sheet), density)
 }
@@ -133,7 +132,7 @@ pub(crate) fn paint_once(
     let picture = Picture::of(scene, sheet);
     context.save();
     context.set_transform(density, 0.0, 0.0, density, 0.0, 0.0)?;
-    context.set_fill_style_str(&picture.paper.css());
+    fill_with(context, picture.paper);
     context.fill_rect(0.0, 0.0, picture.width, picture.height);
     let painted = draw(context, &picture.marks, density);
     context.restore();
@@ -156,14 +155,13 @@ fn draw<'a>(
             }
             Mark::Circles { circles, fill, stroke } => {
                 context.begin_path();
-                for (center, radius) in circles {
-                    context.move_to(center.x + radius, center.y);
-                    context.arc(center.x, center.y, *radius, 0.0, TAU)?;
+                for &(center, radius) in circles {
+                    add_circle(context, center, radius, density)?;
                 }
                 put(context, *fill, *stroke);
             }
             Mark::Text { at, text, size, anchor, colour, halo } => {
-                context.set_font(&format!("{size}px {FONT_FAMILY}"));
+                context.set_font(intern(&format!("{size}px {FONT_FAMILY}")));
                 context.set_text_align(match anchor {
                     Anchor::Start => "left",
                     Anchor::Middle => "center",
@@ -187,8 +185,10 @@ fn draw_lines(context: &Context, stroke: Stroke, lines: &[[DVec2; 2]], density: 
         }
         if hairs.is_empty() {
             add(context, line);
+        } else {
+            let along = along(line);
+            hairs.iter().for_each(|hair| add(context, hair.beside(line, along)));
         }
-        hairs.iter().for_each(|hair| add(context, hair.beside(line)));
         if !together {
             context.stroke();
         }
@@ -201,6 +201,17 @@ fn draw_lines(context: &Context, stroke: Stroke, lines: &[[DVec2; 2]], density: 
 fn add(context: &Context, [a, b]: [DVec2; 2]) {
     context.move_to(a.x, a.y);
     context.line_to(b.x, b.y);
+}
+
+/// Adds a circle to a path; one that is hardly a pixel large looks the same as a square, which is drawn faster.
+fn add_circle(context: &Context, center: DVec2, radius: f64, density: f64) -> Result<(), JsValue> {
+    if radius * density > 1.0 {
+        context.move_to(center.x + radius, center.y);
+        return context.arc(center.x, center.y, radius, 0.0, TAU);
+    }
+    let half = radius * DOT;
+    context.rect(center.x - half, center.y - half, 2.0 * half, 2.0 * half);
+    Ok(())
 }
 
 fn trace(context: &Context, points: &[DVec2], closed: bool) {
@@ -219,7 +230,7 @@ fn trace(context: &Context, points: &[DVec2], closed: bool) {
 
 fn put(context: &Context, fill: Option<Colour>, stroke: Option<Stroke>) {
     if let Some(fill) = fill {
-        context.set_fill_style_str(&fill.css());
+        fill_with(context, fill);
         context.fill();
     }
     if let Some(stroke) = stroke {
@@ -239,11 +250,16 @@ fn write(
         set_pen(context, Stroke { colour, width: 2.0 * HALO });
         context.stroke_text(text, at.x, at.y)?;
     }
-    context.set_fill_style_str(&colour.css());
+    fill_with(context, colour);
     context.fill_text(text, at.x, at.y)
 }
 
+/// The colours of a theme are few: the browser is given each of them once, and reads it once.
+fn fill_with(context: &Context, colour: Colour) {
+    context.set_fill_style_str(intern(&colour.css()));
+}
+
 fn set_pen(context: &Context, stroke: Stroke) {
-    context.set_stroke_style_str(&stroke.colour.css());
+    context.set_stroke_style_str(intern(&stroke.colour.css()));
     context.set_line_width(stroke.width);
 }

@@ -11,6 +11,8 @@ use cogmap_scene::MemoryOptions;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::{JsError, prelude::wasm_bindgen};
 
+use looking::Seen;
+
 use crate::{
     alteration::{Alteration, Objection, Pointer},
     canvas::Canvas,
@@ -24,6 +26,7 @@ use crate::{
     setup::{Choices, Opening, Setup},
     stance::Stance,
     status::Status,
+    tracked::Tracked,
     views::{View, Views},
     ways::Followed,
 };
@@ -34,7 +37,7 @@ const FINGER: f64 = 22.0;
 /// The laboratory as the page knows it: a run, and views of it.
 #[wasm_bindgen]
 pub struct Laboratory {
-    pub(crate) run: Run,
+    pub(crate) run: Tracked<Run>,
     views: Views,
     shown: MemoryOptions,
     stance: Stance,
@@ -43,6 +46,8 @@ pub struct Laboratory {
     /// The thing of a memory that is set off from the rest, and in which view.
     set_off: Option<(View, Remembered)>,
     canvases: BTreeMap<View, Canvas>,
+    /// What was made for each view last.
+    seen: BTreeMap<View, Seen>,
 }
 
 #[wasm_bindgen]
@@ -121,7 +126,7 @@ impl Laboratory {
     /// # Errors
     /// None that a page could cause.
     pub fn landmarks(&mut self) -> Result<Vec<Ts<Landmark>>, JsError> {
-        Ok(self.run.landmarks().iter().map(Tsify::into_ts).collect::<Result<_, _>>()?)
+        Ok(self.run.behind_the_scenes().landmarks().iter().map(Tsify::into_ts).collect::<Result<_, _>>()?)
     }
 
     /// Tells the robot what to do.
@@ -197,16 +202,17 @@ impl Laboratory {
         let mut views = Views::new();
         let shown = MemoryOptions::default();
         for view in all_views(&run) {
-            views.make_room(&scene(run.session(), view, shown));
+            views.make_room(scene(run.session(), view, shown).bounds());
         }
         Self {
-            run,
+            run: Tracked::new(run),
             views,
             shown,
             stance: Stance::Map,
             pointed: None,
             set_off: None,
             canvases: BTreeMap::new(),
+            seen: BTreeMap::new(),
         }
     }
 }

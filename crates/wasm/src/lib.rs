@@ -37,6 +37,7 @@ mod setup;
 mod stance;
 mod status;
 mod story;
+mod tracked;
 #[cfg(test)]
 mod two_rooms;
 mod views;

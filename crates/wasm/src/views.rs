@@ -1,7 +1,7 @@
 use std::collections::BTreeMap;
 
 use cogmap_geometry::DVec2;
-use cogmap_scene::{Bounds, Camera, Margins, Scene};
+use cogmap_scene::{Bounds, Camera, Margins};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 
@@ -127,8 +127,8 @@ impl Views {
 
     /// Sees to it that everything has room; it grows in strides, so that the picture stands still
     /// between them.
-    pub(crate) fn make_room(&mut self, scene: &Scene) {
-        let Some(bounds) = scene.bounds() else { return };
+    pub(crate) fn make_room(&mut self, bounds: Option<Bounds>) {
+        let Some(bounds) = bounds else { return };
         self.framed = Some(match self.framed {
             None => Bounds { min: bounds.min - ROOM, max: bounds.max + ROOM },
             Some(framed) if framed.union(bounds) == framed => framed,
@@ -184,7 +184,7 @@ fn grown(bounds: Bounds) -> Bounds {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cogmap_scene::{Item, Role, Shape};
+    use cogmap_scene::{Item, Role, Scene, Shape};
 
     fn line_to(point: DVec2) -> Scene {
         let item = Item::new(Role::Path, Shape::Polyline(vec![DVec2::ZERO, point]));
@@ -195,7 +195,7 @@ mod tests {
         let mut views = Views::new();
         views.resize(View::World, DVec2::new(640.0, 480.0));
         views.resize(View::First, DVec2::new(640.0, 480.0));
-        views.make_room(scene);
+        views.make_room(scene.bounds());
         views
     }
 
@@ -203,12 +203,12 @@ mod tests {
     fn everything_is_in_view_until_somebody_looks_elsewhere() {
         let far = DVec2::new(30.0, 20.0);
         let mut views = views_of(&line_to(DVec2::new(3.0, 2.0)));
-        views.make_room(&line_to(far));
+        views.make_room(line_to(far).bounds());
         let pixel = views.camera(View::World).to_pixels(far, 640.0, 480.0);
         assert!((0.0..=640.0).contains(&pixel.x) && (0.0..=480.0).contains(&pixel.y));
         views.drag(DVec2::new(10.0, 0.0), View::World);
         let chosen = views.camera(View::World);
-        views.make_room(&line_to(far * 5.0));
+        views.make_room(line_to(far * 5.0).bounds());
         assert_eq!(views.camera(View::World), chosen);
         views.fit();
         assert_ne!(views.camera(View::World), chosen);
@@ -217,9 +217,9 @@ mod tests {
     #[test]
     fn the_picture_stands_still_while_there_is_room() {
         let mut views = views_of(&line_to(DVec2::new(3.0, 2.0)));
-        views.make_room(&line_to(DVec2::new(6.0, 4.0)));
+        views.make_room(line_to(DVec2::new(6.0, 4.0)).bounds());
         let before = views.camera(View::World);
-        views.make_room(&line_to(DVec2::new(6.1, 4.1)));
+        views.make_room(line_to(DVec2::new(6.1, 4.1)).bounds());
         assert_eq!(views.camera(View::World), before);
     }
 

@@ -224,17 +224,17 @@ export class Bench {
 
   drag(x: number, y: number, view: View): void {
     this.laboratory?.drag(x, y, view);
-    this.player.refresh();
+    this.player.look();
   }
 
   zoom(factor: number, view?: View, x?: number, y?: number): void {
     this.laboratory?.zoom(factor, view ?? 'world', x, y);
-    this.player.refresh();
+    this.player.look();
   }
 
   fit(): void {
     this.laboratory?.fit();
-    this.player.refresh();
+    this.player.look();
   }
 
   /** The world and every memory as one picture. */

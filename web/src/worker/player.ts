@@ -24,6 +24,8 @@ export class Player {
   private readonly keeper = new Keeper(() => (this.resuming ? undefined : this.laboratory && momentOf(this.laboratory)));
   private listen: (notice: Notice) => void = () => undefined;
   private noticed = 0;
+  /** Whether there is something that the page has not been told. */
+  private news = false;
   /** Whether something was painted. */
   private shown = false;
   private playing = true;
@@ -81,7 +83,16 @@ export class Player {
     this.refresh();
   }
 
+  /** Something has changed: it is shown, and the page is told. */
   refresh(): void {
+    this.news = true;
+    this.easel.stale = true;
+    this.clock.wake();
+  }
+
+  /** The same is shown from elsewhere, of which the page is told only if a card moves along. */
+  look(): void {
+    if (this.laboratory?.told()) this.news = true;
     this.easel.stale = true;
     this.clock.wake();
   }
@@ -109,13 +120,15 @@ export class Player {
     this.shown ||= painted;
     const ended = this.playing && !moved && laboratory.idle;
     if (ended && this.source === 'log') this.playing = false;
-    if (!this.playing || ended || now - this.noticed > NOTICE_INTERVAL) this.notify(now);
+    if (moved || ended) this.news = true;
+    if (this.news && (!this.playing || ended || now - this.noticed > NOTICE_INTERVAL)) this.notify(now);
     return (this.playing && !ended) || !painted;
   }
 
   private notify(now: number): void {
     if (!this.laboratory) return;
     this.noticed = now;
+    this.news = false;
     const status = this.laboratory.status();
     const why = this.explained && this.laboratory.explain(this.explained);
     const pointed = { asked: this.asked, told: this.laboratory.told() };

@@ -30,10 +30,14 @@ pub(super) fn hairs(stroke: Stroke, density: f64) -> Vec<Hair> {
     (0..count as u32).map(f64::from).map(hair).collect()
 }
 
+/// The direction of a line, a unit vector.
+pub(super) fn along([a, b]: [DVec2; 2]) -> DVec2 {
+    (b - a).try_normalize().unwrap_or(DVec2::X)
+}
+
 impl Hair {
-    /// Where it runs for a line.
-    pub(super) fn beside(self, [a, b]: [DVec2; 2]) -> [DVec2; 2] {
-        let along = (b - a).try_normalize().unwrap_or(DVec2::X);
+    /// Where it runs for a line in a direction.
+    pub(super) fn beside(self, [a, b]: [DVec2; 2], along: DVec2) -> [DVec2; 2] {
         let (aside, over) = (along.perp() * -self.aside, along * self.over);
         [a + aside - over, b + aside + over]
     }
@@ -50,7 +54,7 @@ mod tests {
         let [left, right] = hairs(stroke(u8::MAX, 2.0), 1.0)[..] else { panic!("two") };
         assert_eq!((left.aside, right.aside), (-0.5, 0.5));
         let line = [DVec2::new(10.0, 5.0), DVec2::new(20.0, 5.0)];
-        let [from, to] = right.beside(line);
+        let [from, to] = right.beside(line, along(line));
         assert!((from.y - 4.5).abs() < 1e-12 && (to.y - 4.5).abs() < 1e-12);
         assert!(
             (10.0 - from.x - 0.75f64.sqrt()).abs() < 1e-12 && (to.x - 20.0 - 0.75f64.sqrt()).abs() < 1e-12

@@ -1,5 +1,7 @@
-use cogmap_geometry::DVec2;
-use cogmap_scene::{Scene, Sheet};
+use std::rc::Rc;
+
+use cogmap_geometry::{DVec2, Pose};
+use cogmap_scene::{Bounds, MemoryOptions, Scene, Sheet};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::{JsError, prelude::wasm_bindgen};
 use web_sys::OffscreenCanvasRenderingContext2d;
@@ -16,6 +18,24 @@ use crate::{
     stance::Stance,
     views::View,
 };
+
+/// What was made for a view, to be painted.
+#[derive(Clone, Debug)]
+pub(super) struct Seen {
+    scene: Rc<Scene>,
+    bounds: Option<Bounds>,
+    of: Whole,
+}
+
+/// Everything that what a view shows depends on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Whole {
+    /// Of the run.
+    changes: u64,
+    shown: MemoryOptions,
+    pointed: Option<StageKind>,
+    view_from_map: Option<Pose>,
+}
 
 /// What the views show, and how it is painted.
 #[wasm_bindgen]
@@ -37,6 +57,7 @@ impl Laboratory {
         let view = view.to_rust()?;
         self.views.close(view);
         self.canvases.remove(&view);
+        self.seen.remove(&view);
         Ok(())
     }
 
@@ -115,7 +136,7 @@ impl Laboratory {
         density: f64,
     ) -> Result<bool, JsError> {
         let (view, look) = (view.to_rust()?, look.to_rust()?);
-        let mut scene = self.scene(view);
+        let Seen { mut scene, bounds, .. } = self.seen(view);
         let DVec2 { x: width, y: height } = self.views.size(view);
         let legend = self.views.has_legend(view);
         let sheet =
@@ -123,7 +144,7 @@ impl Laboratory {
         let before = self.views.shared_camera();
         // What moves around the robot goes where it will.
         if view.mapper().is_none() || self.stance == Stance::Map {
-            self.views.make_room(&scene);
+            self.views.make_room(bounds);
         }
         self.views.make_room_for_legend(sheet.strip(&scene));
         // What is set off has no room made for it: the picture would jump under whoever points.
@@ -151,7 +172,7 @@ impl Laboratory {
         let sheet = Sheet::new(side, side, look.to_rust()?.into());
         for (index, view) in all_views(&self.run).enumerate() {
             let place = Place { corner: DVec2::new(side * index as f64, 0.0), density };
-            let scene = scene(self.run.session(), view, self.shown);
+            let scene = scene(self.run.session(), view, self.shown).into();
             Canvas::default().paint(context, &scene, &sheet, place).map_err(Failure::from)?;
         }
         Ok(())
@@ -159,23 +180,39 @@ impl Laboratory {
 }
 
 impl Laboratory {
-    /// What a view shows at this moment.
-    fn scene(&self, view: View) -> Scene {
+    /// What a view shows at this moment; while nothing has changed but the camera, what was made for it before.
+    fn seen(&mut self, view: View) -> Seen {
+        let of = Whole {
+            changes: self.run.changes(),
+            shown: self.shown,
+            pointed: self.pointed.filter(|(pointed, _)| *pointed == view).map(|(_, stage)| stage),
+            view_from_map: view.mapper().map(|mapper| self.view_from_map(view, mapper)),
+        };
+        if let Some(seen) = self.seen.get(&view).filter(|seen| seen.of == of) {
+            return seen.clone();
+        }
+        let scene = self.scene(view, &of);
+        let seen = Seen { bounds: scene.bounds(), scene: scene.into(), of };
+        self.seen.insert(view, seen.clone());
+        seen
+    }
+
+    fn scene(&self, view: View, of: &Whole) -> Scene {
         let session = self.run.session();
         let Some(mapper) = view.mapper() else {
             let scene = with_left_ways(scene(session, view, self.shown), self.run.left_ways());
             return with_drawn_way(scene, &self.run.way_ahead());
         };
-        let pointed = self.pointed.filter(|(pointed, _)| *pointed == view);
-        let stage = pointed.map(|(_, stage)| stage.stage());
-        explained(session, mapper, stage, self.shown).seen_from(self.view_from_map(view, mapper))
+        let scene = explained(session, mapper, of.pointed.map(StageKind::stage), self.shown);
+        scene.seen_from(of.view_from_map.unwrap_or(Pose::IDENTITY))
     }
 
     /// Sets off in the picture of a view what is to be set off in it.
-    fn accentuate(&self, view: View, scene: &mut Scene) {
+    fn accentuate(&self, view: View, scene: &mut Rc<Scene>) {
         let set_off_here = self.set_off.filter(|(other, _)| *other == view);
         if let (Some(mapper), Some((_, thing))) = (view.mapper(), set_off_here) {
-            accentuate(scene, self.run.session(), mapper, thing.into(), self.view_from_map(view, mapper));
+            let (scene, view_from_map) = (Rc::make_mut(scene), self.view_from_map(view, mapper));
+            accentuate(scene, self.run.session(), mapper, thing.into(), view_from_map);
         }
     }
 }

@@ -12,7 +12,7 @@ impl Laboratory {
     /// # Errors
     /// None that a page could cause.
     pub fn plots(&mut self) -> Result<Ts<Plots>, JsError> {
-        Ok(self.run.plots().into_ts()?)
+        Ok(self.run.behind_the_scenes().plots().into_ts()?)
     }
 
     /// The network of local spaces in a view as a schematic; nothing where the view shows none.
