@@ -87,13 +87,13 @@ export class BenchPage {
   }
 }
 
-/** A short CARMEN log: a robot drives through a rectangular room, straight ahead. */
-export function roomLog(scans: number): string {
+/** A CARMEN log: a robot drives along a rectangular room, straight ahead unless told how far it is at each scan. */
+export function roomLog(scans: number, along = (scan: number): number => scan * 0.1): string {
   const beams = 180;
   const [width, length] = [4, 9];
   const lines = ['# made for a test', 'PARAM robot_front_laser_max 20.0 robot 0'];
   for (let scan = 0; scan < scans; scan += 1) {
-    const x = 1 + scan * 0.1;
+    const x = 1 + along(scan);
     const ranges = Array.from({ length: beams }, (_, beam) => {
       const bearing = ((beam - 89.5) * Math.PI) / 180;
       const sideways = width / 2 / Math.abs(Math.sin(bearing));

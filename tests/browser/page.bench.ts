@@ -3,12 +3,16 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { chromium, test, type Browser, type Page, type Worker } from '@playwright/test';
-import { BenchPage } from './bench';
+import { BenchPage, roomLog } from './bench';
 
 /** Surfaces that the memory holds while it is painted. */
 const SURFACES = 5000;
 /** So often the page is opened to see how long that blocks it. */
 const OPENINGS = 7;
+/** Shares of a run that are gone back to. */
+const SCRUBBED = [0.02, 0.1, 0.21];
+/** Scans of the log that is scrubbed through. */
+const SCANS = 1300;
 /** Seconds that frames are counted for. */
 const COUNTED = 10;
 
@@ -148,6 +152,47 @@ async function frames(worker: Worker): Promise<string> {
   times.sort((a, b) => a - b);
   return `${(times[Math.floor(0.95 * times.length)] ?? NaN).toFixed(1)} ms`;
 }
+
+test('how long scrubbing takes', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open('?mappers=consensus&world=tour');
+  await page.getByRole('button', { name: 'To the end' }).click();
+  await test.expect(page.getByRole('button', { name: 'Play' })).toBeDisabled({ timeout: 60_000 });
+  say(`scrubbing through a drive of ${await views(bench)} views, worst of ${SCRUBBED.length}`, await scrubbed(page), 'at most 100 ms');
+  await bench.drop({ name: 'room.log', content: roomLog(SCANS, (scan) => 0.1 * Math.abs((scan % 120) - 60)) });
+  await test.expect.poll(() => views(bench), { timeout: 120_000 }).toBe(SCANS);
+  say(`… through a log of ${SCANS}, 1,000 of them back and more`, await scrubbed(page), 'at most 100 ms');
+});
+
+/** Views that the first memory was made from, as the page tells it. */
+async function views(bench: BenchPage): Promise<number> {
+  return Number(/from ([\d,]+) views/.exec(await bench.memory.first().innerText())?.[1]?.replaceAll(',', '') ?? 0);
+}
+
+/** The longest that the page takes from the end of a run to show an earlier moment of it, painted. */
+async function scrubbed(page: Page): Promise<string> {
+  const slider = page.getByRole('slider', { name: 'Timeline' });
+  const times: number[] = [];
+  for (const share of SCRUBBED) {
+    times.push(await slider.evaluate(scrub, share));
+    await slider.evaluate(scrub, 1);
+  }
+  return `${Math.max(...times).toFixed(0)} ms`;
+}
+
+/** Milliseconds until the page tells another moment, of which it hears once it is painted. */
+const scrub = (slider: HTMLElement | SVGElement, share: number): Promise<number> =>
+  new Promise((done) => {
+    const input = slider as HTMLInputElement;
+    const begin = performance.now();
+    const told = new MutationObserver(() => {
+      told.disconnect();
+      requestAnimationFrame(() => done(performance.now() - begin));
+    });
+    told.observe(document.querySelector('output') ?? input, { characterData: true, childList: true, subtree: true });
+    input.value = String(Math.round(Number(input.max) * share));
+    input.dispatchEvent(new Event('input', { bubbles: true }));
+  });
 
 test('frames on half a core', async ({ baseURL }) => {
   if (spawnSync('cpulimit', ['--help']).error) {
