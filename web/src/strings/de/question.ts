@@ -16,8 +16,8 @@ export const question = {
   asked: (memories: number) =>
     `Eine Fahrt, ${NUMBERS[memories] ?? memories} Gedächtnisse. Fahren Sie ein Stück: Welchem würden Sie den Heimweg anvertrauen?`,
   answerHint: (mapper: string) => `Heimfahren nach ${by(mapper)}`,
-  answer: (mapper: string) => `Auf ${mapper} vertrauen`,
-  again: (mapper: string) => `Nun auf ${mapper} vertrauen`,
+  answer: (mapper: string) => `${mapper} vertrauen`,
+  again: (mapper: string) => `Nun ${mapper} vertrauen`,
   going: (mapper: string) => `Auf dem Heimweg nach ${by(mapper)}.`,
   outcome: ({ by, distance, ended }: Outcome) =>
     ended === 'home'
