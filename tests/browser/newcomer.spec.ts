@@ -1,3 +1,4 @@
+import AxeBuilder from '@axe-core/playwright';
 import { expect, test, type Page } from '@playwright/test';
 import { BenchPage } from './bench';
 
@@ -50,6 +51,11 @@ test('whichever memory is trusted leads the robot home, and then the other from 
   await expect(consensus).toBeVisible();
   await expect(odometry).toBeVisible();
   await expect(page.getByText('drive further, and ask again')).toBeVisible();
+  // A run that goes on after a way home keeps the memory that led it.
+  await page.keyboard.press('ArrowUp');
+  await expect(page.getByText('start over to trust another')).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Trust consensus' })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Trust odometry' })).toHaveCount(0);
 });
 
 test('the question can be put away, and is not asked about a single memory', async ({ page }) => {
@@ -70,3 +76,22 @@ test('the address says which memories the page opens on, and hears of those that
   await expect(page.getByRole('alert')).toContainText('There is no mapper called “telepathy”');
   await expect(bench.memory).toHaveCount(2);
 });
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]] as const) {
+    test.describe(`${colorScheme} at ${width} × ${height}`, () => {
+      test.use({ colorScheme, viewport: { width, height } });
+
+      test('the first scene fits, and axe has nothing to object to', async ({ page }) => {
+        await new BenchPage(page).open('');
+        await expect(question(page)).toBeVisible();
+        const over = await page.evaluate(() => {
+          const { scrollWidth, scrollHeight } = document.documentElement;
+          return [scrollWidth - innerWidth, scrollHeight - innerHeight];
+        });
+        expect(Math.max(...over)).toBeLessThanOrEqual(0);
+        expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+      });
+    });
+  }
+}

@@ -34,6 +34,14 @@ pub(crate) fn homing(session: &Session) -> Option<HomingStatus> {
     })
 }
 
+/// The mapper that led the robot home earlier in this run, before the way home that [`homing`] tells of.
+pub(crate) fn led(session: &Session) -> Option<String> {
+    let commands = session.record().commands().iter();
+    let ways = commands.filter(|timed| matches!(timed.command, Command::GoHome { .. })).count();
+    let guide = guide(session).filter(|_| ways > usize::from(homing(session).is_some()))?;
+    Some(guide.name().to_owned())
+}
+
 /// What the robot has decided since it was told to go home, as far as it has decided anything yet.
 fn decisions(session: &Session) -> &[Decision] {
     let journal = session.journal();

@@ -12,7 +12,7 @@ use cogmap_simulation::{Door, Driver, Robot, Session, Source, Stamped, TICK};
 use crate::{
     courses::Courses,
     failure::Failure,
-    homing::homing,
+    homing::{homing, led},
     landmarks::{Landmark, Landmarks},
     memories::memories,
     plots::Curves,
@@ -215,6 +215,7 @@ impl Run {
             pose: pose.map(|Pose { position, heading }| [position.x, position.y, heading]),
             building: building(session),
             memories: memories(session),
+            led: led(session),
             homing: homing(session),
             undoable: self.courses.undo.len(),
             redoable: self.courses.redo.len(),

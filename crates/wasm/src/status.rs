@@ -45,6 +45,9 @@ pub struct Status {
     pub memories: Vec<MemoryStatus>,
     /// How it goes with going home; nothing where that is not what the robot does or did last.
     pub homing: Option<HomingStatus>,
+    /// The mapper that led the robot home earlier in this run, before the way home that it is on or made last: a
+    /// run has one for all its ways home.
+    pub led: Option<String>,
     /// How many things that a person did can be undone.
     pub undoable: usize,
     /// How many that were undone can be done again.

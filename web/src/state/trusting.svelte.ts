@@ -12,12 +12,8 @@ export class Trusting {
   /** The mappers as their memories stand on the page: one that is trusted does not change its place. */
   private order: string[] = [];
 
-  constructor(private readonly send: (mapper: string) => void) {}
-
-  /** Sends the robot home by one of the memories. */
-  trust(mapper: string): void {
-    this.send(mapper);
-  }
+  /** `trust` sends the robot home by one of the memories. */
+  constructor(readonly trust: (mapper: string) => void) {}
 
   dismiss = (): void => void (this.open = false);
 

@@ -10,6 +10,7 @@ fn a_robot_that_is_told_to_go_home_goes_there_and_says_why() {
         assert!(laboratory.advance());
     }
     assert_eq!(of_homing(&laboratory, "lead"), JsValue::from("planning"));
+    assert_eq!(of_homing(&laboratory, "by"), JsValue::from("perceptual"));
     assert!(of_homing(&laboratory, "ended").is_undefined());
     until_idle(&mut laboratory);
     assert_eq!(of_homing(&laboratory, "ended"), JsValue::from("home"));
@@ -39,9 +40,11 @@ fn a_way_home_can_be_stopped_and_begun_again() {
     laboratory.order(&ts(r#"{"kind":"stop"}"#)).ok().unwrap();
     until_idle(&mut laboratory);
     assert_eq!(of_homing(&laboratory, "ended"), JsValue::from("stopped"));
+    assert!(told(&laboratory, "led").is_undefined());
     laboratory.order(&ts(r#"{"kind":"nudge","ahead":0,"left":1}"#)).ok().unwrap();
     until_idle(&mut laboratory);
     assert!(told(&laboratory, "homing").is_undefined());
+    assert!(!told(&laboratory, "led").is_undefined());
     laboratory.order(&ts(r#"{"kind":"go_home","strategy":"retrace"}"#)).ok().unwrap();
     until_idle(&mut laboratory);
     assert_eq!(of_homing(&laboratory, "ended"), JsValue::from("home"));

@@ -23,5 +23,7 @@ export const question = {
     ended === 'home'
       ? `Nach ${by} hielt der Roboter ${number(distance, 2)} m von seinem Anfang, sicher, daheim zu sein.`
       : `Nach ${by} gab der Roboter ${number(distance, 2)} m von seinem Anfang auf.`,
-  further: 'Kleine Fehler summieren sich: Fahren Sie weiter und fragen Sie noch einmal.',
+  further: 'Kleine Fehler summieren sich: Machen Sie das rückgängig, fahren Sie weiter und fragen Sie noch einmal.',
+  led: (mapper: string) =>
+    `Vorhin fuhr der Roboter nach ${mapper} heim, und dafür hat eine Fahrt nur ein Gedächtnis: Fangen Sie von vorn an, um einem anderen zu vertrauen.`,
 } as const;

@@ -24,5 +24,7 @@ export const question = {
     ended === 'home'
       ? `By ${by} the robot stopped ${number(distance, 2)} m from where it began, sure to be home.`
       : `By ${by} the robot gave up ${number(distance, 2)} m from where it began.`,
-  further: 'Small errors add up: drive further, and ask again.',
+  further: 'Small errors add up: undo that, drive further, and ask again.',
+  led: (mapper: string) =>
+    `Before, this run went home by ${mapper}, and a run has one memory for that: start over to trust another.`,
 } as const;

@@ -23,5 +23,7 @@ export const question = {
     ended === 'home'
       ? `Según ${by} el robot se detuvo a ${number(distance, 2)} m de donde empezó, seguro de estar en casa.`
       : `Según ${by} el robot se rindió a ${number(distance, 2)} m de donde empezó.`,
-  further: 'Los errores pequeños se suman: conduzca más lejos y pregunte otra vez.',
+  further: 'Los errores pequeños se suman: deshaga eso, conduzca más lejos y pregunte otra vez.',
+  led: (mapper: string) =>
+    `Antes el robot volvió a casa según ${mapper}, y para eso cada recorrido tiene una sola memoria: empiece de nuevo para fiarse de otra.`,
 } as const;
