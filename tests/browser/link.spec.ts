@@ -73,12 +73,12 @@ test.describe('where the newest version is published', () => {
 
   test('links lead to the folder that it stays in', async ({ page }) => {
     const bench = new BenchPage(page);
-    await bench.open();
+    await bench.open('');
     const asItIs = await page.evaluate(async () => (await fetch('./')).text());
     const meta = '<meta name="cogmap-stays-in" content="v1.2.3/" />';
     const body = asItIs.replace('<head>', `<head>${meta}`);
     await page.route('./', (route) => route.fulfill({ contentType: 'text/html; charset=utf-8', body }));
-    await bench.open();
+    await bench.open('');
     expect(new URL(await bench.link()).pathname).toMatch(/\/v1\.2\.3\/$/);
   });
 });
