@@ -135,8 +135,11 @@ async function memory(cdp: CDPSession, worker: WorkerSession): Promise<Record<st
   return { page: page.usedSize, worker: inWorker.usedSize, wasm: await worker.wasmBytes() };
 }
 
-/** What V8 learns about code that it runs is memory too: it is to learn at once and to forget nothing. */
-const LEARNED = '--js-flags=--no-lazy-feedback-allocation --no-flush-bytecode';
+/**
+ * What V8 learns about the page's script, and what it makes of what it learned, is memory too: it is to learn at
+ * once, to make nothing of it, and to forget nothing.
+ */
+const LEARNED = '--js-flags=--no-lazy-feedback-allocation --no-flush-bytecode --no-sparkplug --no-maglev --no-turbofan';
 
 test('two hundred ways home leave nothing behind, and end as they do natively', async ({ baseURL, launchOptions }) => {
   test.setTimeout(600_000);
