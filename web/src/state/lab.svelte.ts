@@ -29,8 +29,6 @@ export const PACES: Pace[] = [1, 2, 4, 8, 16, 32, 'full'];
 const OPENING_WORLD = 'office';
 /** The mapper whose memory stands beside the first one's when the page opens: which of them is to be trusted? */
 const OPENING_RIVAL = 'odometry';
-/** The views that memories can have. */
-const MEMORIES: View[] = ['first', 'second', 'third', 'fourth'];
 /** How many views of it the robot has taken when the page opens: enough to see what a memory is. */
 const OPENING_VIEWS = 6;
 
@@ -73,12 +71,10 @@ export class Lab {
 
   /** The mappers whose memories are shown. */
   readonly mappers = $derived(this.status?.memories.map(({ mapper }) => mapper) ?? []);
-  /** The views of memories of a run that is about to begin. */
-  private readonly awaited = $derived(MEMORIES.slice(0, Math.max(this.choice.mappers.length, 1)));
   /** The views on the page. */
   readonly views = $derived<View[]>([
     ...(this.showing.world ? (['world'] as const) : []),
-    ...(this.status ? this.trusting.arranged(this.status.memories).map(({ view }) => view) : this.awaited),
+    ...this.trusting.views(this.status, this.choice.mappers.length),
   ]);
 
   /** What was done to the building or the robot just now. */
@@ -224,7 +220,6 @@ export class Lab {
   }
 
   private trust(mapper: string): void {
-    if (this.status?.source !== 'world') return;
     this.driven = true;
     void this.ask(() => this.bench.trust(mapper, this.strategy));
   }

@@ -1,4 +1,8 @@
 import type { HomingStatus, Status } from '../wasm/cogmap_wasm';
+import type { View } from '../worker/protocol';
+
+/** The views that memories can have. */
+const MEMORIES: View[] = ['first', 'second', 'third', 'fourth'];
 
 /** How a way home ended by which memory. */
 export type Outcome = Pick<HomingStatus, 'by' | 'distance'> & { ended: 'home' | 'stuck' };
@@ -24,6 +28,12 @@ export class Trusting {
     if (homing?.ended !== 'home' && homing?.ended !== 'stuck') return;
     const { by, distance, ended } = homing;
     this.outcomes = [...this.outcomes.filter((outcome) => outcome.by !== by), { by, distance, ended }];
+  }
+
+  /** The views of the memories; before a run begins, of as many as it will have, or one. */
+  views(status: Status | undefined, awaited: number): View[] {
+    if (!status) return MEMORIES.slice(0, Math.max(awaited, 1));
+    return this.arranged(status.memories).map(({ view }) => view);
   }
 
   /** The memories in the order in which they stand on the page. */
