@@ -1,6 +1,7 @@
 import { svelte } from '@sveltejs/vite-plugin-svelte';
 import { defineConfig, type Plugin } from 'vite';
 import { VitePWA } from 'vite-plugin-pwa';
+import { headers } from './policy.ts';
 
 const description = 'A robot-mapping laboratory: drive a robot through a building and watch its memory grow.';
 
@@ -14,8 +15,11 @@ const policyOnlyWhenBuilt: Plugin = {
 export default defineConfig({
   // Relative addresses: the built page runs from any folder of any static server.
   base: './',
+  // What is not there is said to be missing.
+  appType: 'mpa',
+  preview: { headers: headers() },
   plugins: [
-    svelte(),
+    svelte({ configFile: false }),
     policyOnlyWhenBuilt,
     VitePWA({
       injectRegister: false,

@@ -72,6 +72,7 @@ test('the policy allows nothing inline, and a whole drive keeps to it', async ({
     expect(policy).not.toContain("'unsafe-eval'");
   }
   expect(declared).toContain("default-src 'self'");
+  expect(header).toBe(`${declared}; frame-ancestors *`);
   const bench = new BenchPage(page);
   await bench.open();
   await page.keyboard.press('?');
@@ -99,6 +100,21 @@ test('the policy allows nothing inline, and a whole drive keeps to it', async ({
   // The page would have been told: the ear is open.
   await page.evaluate(() => document.body.append(Object.assign(document.createElement('script'), { text: '1' })));
   await expect.poll(() => complaints.some((text) => text.includes('script-src'))).toBe(true);
+});
+
+test('whatever is served carries the policy, and what is missing is said to be', async ({ page, request }) => {
+  await new BenchPage(page).open();
+  const names = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name));
+  const script = names.find((name) => name.endsWith('.js')) ?? '';
+  for (const address of ['./', script, './icon.svg', './sw.js']) {
+    const answer = await request.get(address);
+    expect(answer.status(), address).toBe(200);
+    expect(answer.headers()['content-security-policy'], address).toContain("script-src 'self' 'wasm-unsafe-eval'");
+    expect(answer.headers()['x-content-type-options'], address).toBe('nosniff');
+  }
+  for (const missing of ['./missing', './missing.js', './..%2f..%2fpackage.json', './%2e%2e/package.json']) {
+    expect((await request.get(missing)).status(), missing).toBe(404);
+  }
 });
 
 test('the page can be installed', async ({ page, request }) => {

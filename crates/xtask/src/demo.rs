@@ -1,8 +1,8 @@
 use crate::arguments::DemoOptions;
 use crate::failure::Failure;
 use crate::page;
+use crate::port;
 use crate::project::Project;
-use crate::serve::{Site, address, listen};
 use crate::setup;
 
 /// Builds the page and, unless that was all, serves it until the program is stopped.
@@ -12,15 +12,14 @@ pub(crate) fn run(project: &Project, options: &DemoOptions) -> Result<(), Failur
         println!("\nThe page is in web/dist");
         return Ok(());
     }
-    // Taken before the build: a port that is in use shows at once.
-    let listener = listen(options.port)?;
-    let site = build(project)?;
-    println!("\nCogmap is at {} (Ctrl-C stops it)", address(&listener)?);
-    site.serve(listener)
+    // Looked for before the build: a port that is in use shows at once.
+    let port = port::free(options.port)?;
+    build(project)?;
+    println!("\nCogmap opens in a browser at the address below (Ctrl-C stops serving it)");
+    page::serve(port)
 }
 
-fn build(project: &Project) -> Result<Site, Failure> {
+fn build(project: &Project) -> Result<(), Failure> {
     setup::provide(project, &page::BUILD_NEEDS)?;
-    page::build(project)?;
-    Site::open(&project.dist())
+    page::build(project)
 }

@@ -54,6 +54,21 @@ impl Job {
         }
     }
 
+    /// Prints the command and lets it take this program's place, so that what stops the one stops the other.
+    #[cfg(unix)]
+    pub(crate) fn run_instead(&self) -> Result<(), Failure> {
+        use std::os::unix::process::CommandExt;
+
+        println!("$ {self}");
+        Err(self.failure(&self.command().exec().to_string()))
+    }
+
+    /// Prints the command and runs it: here, no program can take another's place.
+    #[cfg(not(unix))]
+    pub(crate) fn run_instead(&self) -> Result<(), Failure> {
+        self.run()
+    }
+
     /// Runs the command silently and returns what it wrote, or nothing if it failed.
     pub(crate) fn output(&self) -> Option<String> {
         let output = self.command().stderr(Stdio::null()).output().ok()?;
@@ -131,6 +146,8 @@ mod tests {
     fn a_failed_job_names_its_command() {
         let failure = Job::new("cogmap-no-such-program").words("--flag").run();
         assert!(failure.is_err_and(|it| it.to_string().contains("cogmap-no-such-program --flag")));
+        let failure = Job::new("cogmap-no-such-program").run_instead();
+        assert!(failure.is_err_and(|it| it.to_string().contains("cogmap-no-such-program")));
     }
 
     #[test]

@@ -15,8 +15,8 @@ mod failure;
 mod job;
 mod lockfile;
 mod page;
+mod port;
 mod project;
-mod serve;
 mod setup;
 mod steps;
 

@@ -22,6 +22,14 @@ pub(crate) fn build(project: &Project) -> Result<(), Failure> {
     npm_run("build").run()
 }
 
+/// Serves the built page on this machine alone, headers and all, in place of this program.
+pub(crate) fn serve(port: u16) -> Result<(), Failure> {
+    Job::new("node")
+        .words("web/node_modules/vite/bin/vite.js preview web --host 127.0.0.1 --strictPort --port")
+        .argument(port.to_string())
+        .run_instead()
+}
+
 /// Builds the engine in its two parts and its TypeScript face into `web/src/wasm`.
 pub(crate) fn build_wasm(project: &Project) -> Result<(), Failure> {
     cargo("build --profile page --target wasm32-unknown-unknown -p cogmap-wasm").run()?;
