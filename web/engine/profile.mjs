@@ -22,7 +22,7 @@ WebAssembly.instantiate = (module, imports) =>
 
 const [engine, names] = telling(readFileSync(join(folder, 'engine.wasm')));
 const server = await preview({ preview: { port: 0, host: '127.0.0.1' } });
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM_PATH, args: ['--no-sandbox'] });
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM_PATH ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
 const context = await browser.newContext({ serviceWorkers: 'block', viewport: { width: 1440, height: 900 } });
 await context.route('**/first-*.wasm', (route) => route.fulfill({ body: engine, contentType: 'application/wasm' }));
 await context.route('**/*.js', async (route) => {

@@ -71,7 +71,8 @@ pub(crate) fn summary(session: &Session) -> String {
 fn ending(way: &WayHome) -> String {
     match way.ending {
         Some(Ending::Home) => {
-            let why = way.decisions.last().map_or("home is here", |decision| &decision.why);
+            let why =
+                way.decisions.last().map_or("home is here".to_owned(), |decision| decision.why.to_string());
             format!("stopped by itself: {why}")
         }
         Some(Ending::Stuck(why)) => format!("gave up: {why}"),

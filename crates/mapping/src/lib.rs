@@ -44,9 +44,11 @@ pub mod memory;
 pub mod perception;
 pub mod places;
 mod report;
+mod sentence;
 pub mod traditional;
 
 pub use cadence::Cadence;
 pub use fallbacks::{FallbackRun, fallback_runs};
 pub use mapper::{Mapper, MapperSetup, PathPoint};
 pub use report::{Event, Lost, Placement, Recalled, StepReport};
+pub use sentence::{Clause, Sentence, say};

@@ -4,6 +4,7 @@ use cogmap_geometry::{DVec2, Pose};
 use serde::{Deserialize, Serialize};
 
 use crate::{
+    Sentence,
     memory::{Along, FrameId, Match, Reference, SurfaceId},
     perception::View,
     places::{AsrId, ExitId, PlaceReport},
@@ -159,7 +160,7 @@ pub enum Event {
         /// Which.
         exit: ExitId,
         /// One sentence for people.
-        why: String,
+        why: Sentence,
     },
     /// A new local space was opened behind an exit.
     NewAsr {
@@ -182,7 +183,7 @@ pub enum Event {
         /// The share of the new space that lies in the old one.
         overlap: f64,
         /// One sentence for people.
-        why: String,
+        why: Sentence,
     },
 }
 

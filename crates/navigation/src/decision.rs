@@ -1,5 +1,5 @@
 use cogmap_geometry::DVec2;
-use cogmap_mapping::memory::FrameId;
+use cogmap_mapping::{Sentence, memory::FrameId};
 use serde::{Deserialize, Serialize};
 
 /// What the robot is to do next.
@@ -67,7 +67,7 @@ pub struct Decision {
     /// The waypoints of the remembered route that are still ahead, metres.
     pub waypoints: Vec<DVec2>,
     /// One sentence for people.
-    pub why: String,
+    pub why: Sentence,
     /// What is worth a line in the log.
     pub events: Vec<HomingEvent>,
 }
@@ -92,24 +92,24 @@ pub enum HomingEvent {
         /// How many there were to choose from.
         options: usize,
         /// One sentence for people.
-        why: String,
+        why: Sentence,
     },
     /// A way that had seemed open turned out to be closed; it will be remembered.
     DeadEnd {
         /// Where, in the map, metres.
         position: [f64; 2],
         /// One sentence for people.
-        why: String,
+        why: Sentence,
     },
     /// The fail-safe took over: the remembered route is followed (§3.3.4).
     FailsafeOn {
         /// One sentence for people.
-        why: String,
+        why: Sentence,
     },
     /// The sense of direction leads again.
     FailsafeOff {
         /// One sentence for people.
-        why: String,
+        why: Sentence,
     },
     /// The robot stopped by itself: home is here, as far as it can tell.
     Home {
@@ -119,6 +119,6 @@ pub enum HomingEvent {
     /// The robot gave up and waits for the user.
     Stuck {
         /// One sentence for people.
-        why: String,
+        why: Sentence,
     },
 }

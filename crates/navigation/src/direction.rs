@@ -1,4 +1,5 @@
 use cogmap_geometry::{DVec2, trig};
+use cogmap_mapping::{Sentence, say};
 use serde::{Deserialize, Serialize};
 
 use crate::MovementOption;
@@ -39,25 +40,30 @@ pub(crate) fn straightest(options: &[MovementOption]) -> Option<usize> {
 }
 
 /// Why an option was chosen, of so many for choice: one sentence for people.
-pub(crate) fn why(option: &MovementOption, choice: usize, robot: DVec2, home: DVec2) -> String {
+pub(crate) fn why(option: &MovementOption, choice: usize, robot: DVec2, home: DVec2) -> Sentence {
     let (seen, assumed) = (robot.distance(option.end), option.end.distance(home));
     if option.detour < 0.05 && assumed < 0.05 {
-        return format!("the straight way home, {seen:.1} m, is seen to be free");
+        return say("the straight way home, {} m, is seen to be free", &[(seen, 1)]);
     }
     if option.detour < 0.05 {
-        return format!(
-            "of the straight way home, {:.1} m, the robot sees {seen:.1} m to be free and hopes for the rest",
-            seen + assumed
+        return say(
+            "of the straight way home, {} m, the robot sees {} m to be free and hopes for the rest",
+            &[(seen + assumed, 1), (seen, 1)],
         );
     }
-    let among = match choice {
-        1 => "one way on is open".to_owned(),
-        _ => format!("of {choice} ways on that are open this one makes the straightest way home"),
-    };
-    format!(
-        "{among}: {seen:.1} m that the robot sees to be free, then it hopes for {assumed:.1} m straight home, \
-         {:.1} m more than the beeline",
-        option.detour
+    let lengths = [(seen, 1), (assumed, 1), (option.detour, 1)];
+    if choice == 1 {
+        return say(
+            "one way on is open: {} m that the robot sees to be free, then it hopes for {} m straight home, {} m \
+             more than the beeline",
+            &lengths,
+        );
+    }
+    let [seen, assumed, detour] = lengths;
+    say(
+        "of {} ways on that are open this one makes the straightest way home: {} m that the robot sees to be free, \
+         then it hopes for {} m straight home, {} m more than the beeline",
+        &[(choice as f64, 0), seen, assumed, detour],
     )
 }
 

@@ -1,5 +1,5 @@
 use cogmap_geometry::{DVec2, trig};
-use cogmap_mapping::{Mapper, memory::SurfaceId, perception::Reading};
+use cogmap_mapping::{Mapper, memory::SurfaceId, perception::Reading, say};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -111,8 +111,9 @@ impl Faithful {
     pub(crate) fn decide(&mut self, situation: &Situation) -> Proposal {
         let robot = situation.belief.here_from_robot.position;
         let Some(home) = situation.belief.home.map(|home| home.position) else {
-            let why = "the robot has lost the thread: nothing that it knows links this place with home";
-            return Proposal::new(Wish::GiveUp, Mode::Direction, why.to_owned());
+            let why =
+                say("the robot has lost the thread: nothing that it knows links this place with home", &[]);
+            return Proposal::new(Wish::GiveUp, Mode::Direction, why);
         };
         let trusted = self.surroundings(situation, 0);
         self.dead_ends.look_again(self.recent.view(), situation.belief.here_from_robot, situation.atlas);
@@ -180,7 +181,7 @@ impl Faithful {
             self.dead_ends.remember(closed, trusted, situation.atlas);
         }
         let position = situation.in_map(closed.at).into();
-        let why = "the way that seemed to lead home is closed, now that the robot sees it".to_owned();
+        let why = say("the way that seemed to lead home is closed, now that the robot sees it", &[]);
         Some(HomingEvent::DeadEnd { position, why })
     }
 
@@ -195,7 +196,7 @@ impl Faithful {
             return homeward.then(|| {
                 self.following = None;
                 self.patience.renew();
-                let why = "there is a way on toward home again, so the remembered route is left".to_owned();
+                let why = say("there is a way on toward home again, so the remembered route is left", &[]);
                 HomingEvent::FailsafeOff { why }
             });
         }
@@ -205,13 +206,13 @@ impl Faithful {
             return None;
         }
         let why = match chosen {
-            None => "no free way leads on toward home",
-            Some(_) => "the last decisions led nowhere",
+            None => say("no free way leads on toward home", &[]),
+            Some(_) => say("the last decisions led nowhere", &[]),
         };
         self.following = Some(Following::begin(situation, params.tolerance, self.recent.scan()));
         self.patience.renew();
         self.trial = None;
-        Some(HomingEvent::FailsafeOn { why: why.to_owned() })
+        Some(HomingEvent::FailsafeOn { why })
     }
 
     /// Follows its sense of direction (§3.3.2).
@@ -253,13 +254,12 @@ impl Faithful {
         options.iter_mut().for_each(|option| option.barred = false);
         let end = straightest(&options).map_or(next, |best| options[best].end);
         let (wish, why) = if worn_out {
-            (Wish::GiveUp, "no way on, and the way that the robot came is blocked too".to_owned())
+            (Wish::GiveUp, say("no way on, and the way that the robot came is blocked too", &[]))
         } else {
-            let why = format!(
+            let why = say(
                 "back along the way that the robot came, until a way on toward home comes into sight: the next of \
-                 {} waypoints is {:.1} m away",
-                waypoints.len(),
-                outlook.robot.distance(next)
+                 {} waypoints is {} m away",
+                &[(waypoints.len() as f64, 0), (outlook.robot.distance(next), 1)],
             );
             (self.toward(end, situation), why)
         };
@@ -284,16 +284,16 @@ fn turns_to(wish: Wish, situation: &Situation) -> bool {
 }
 
 fn lost_route() -> Proposal {
-    let why = "no way on, and no remembered route leads home".to_owned();
+    let why = say("no way on, and no remembered route leads home", &[]);
     Proposal::new(Wish::GiveUp, Mode::Route, why)
 }
 
 fn give_up_or_arrive(outlook: &Outlook, rough_home: f64) -> Proposal {
     let distance = outlook.home.distance(outlook.robot);
     if distance <= rough_home {
-        let why = format!("home is believed to be {distance:.1} m away and no way leads nearer");
+        let why = say("home is believed to be {} m away and no way leads nearer", &[(distance, 1)]);
         return Proposal::new(Wish::Arrive, Mode::Direction, why);
     }
-    let why = "no free way leads on toward home".to_owned();
+    let why = say("no free way leads on toward home", &[]);
     Proposal::new(Wish::GiveUp, Mode::Direction, why)
 }

@@ -1,5 +1,5 @@
 use cogmap_geometry::{DVec2, Pose, normalize_angle, trig};
-use cogmap_mapping::{Mapper, memory::SurfaceId, perception::Reading};
+use cogmap_mapping::{Mapper, Sentence, memory::SurfaceId, perception::Reading, say};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -97,7 +97,7 @@ impl Homing {
             self.vigilance.expect(travel);
         }
         let decision = self.decision(mapper, &belief, proposal, act);
-        Some(Decision { why: news(&decision) + &decision.why + &deed, ..decision })
+        Some(Decision { why: news(&decision).then(decision.why.clone()).then(deed), ..decision })
     }
 
     /// The places as they lie to the one where the robot is.
@@ -129,7 +129,7 @@ impl Homing {
 
     /// What a wish comes to, and how that is said. A turn that is not small comes alone: what it brings
     /// into view may change the robot's mind.
-    fn act(&self, belief: &Belief, wish: Wish) -> (Act, String) {
+    fn act(&self, belief: &Belief, wish: Wish) -> (Act, Sentence) {
         let said = |act, wanted| (act, deed(act, wanted));
         let toward = match wish {
             Wish::Arrive => return said(Act::Arrived, 0.0),
@@ -146,10 +146,7 @@ impl Homing {
             return said(Act::Step { turn, travel: 0.0 }, 0.0);
         }
         if self.vigilance.somebody_passes() {
-            return (
-                Act::Step { turn: 0.0, travel: 0.0 },
-                "; somebody is walking by, so it waits".to_owned(),
-            );
+            return (Act::Step { turn: 0.0, travel: 0.0 }, say("somebody is walking by, so it waits", &[]));
         }
         let wanted = ahead.length().min(self.params.step_max);
         said(Act::Step { turn, travel: self.vigilance.free_way(turn, wanted) }, wanted)
@@ -185,12 +182,12 @@ impl Homing {
 }
 
 /// What has just come about and is behind a decision, as the beginning of its sentence.
-fn news(decision: &Decision) -> String {
+fn news(decision: &Decision) -> Sentence {
     let whys = decision.events.iter().filter_map(|event| match event {
         HomingEvent::DeadEnd { why, .. }
         | HomingEvent::FailsafeOn { why }
         | HomingEvent::FailsafeOff { why } => Some(why),
         _ => None,
     });
-    whys.filter(|why| !decision.why.contains(*why)).map(|why| format!("{why}; ")).collect()
+    whys.filter(|why| !decision.why.says(why)).fold(Sentence::default(), |news, why| news.then(why.clone()))
 }

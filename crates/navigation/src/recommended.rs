@@ -13,7 +13,7 @@ mod survey;
 mod tiles;
 
 use cogmap_geometry::{DVec2, Pose, trig::FRAC_PI_4};
-use cogmap_mapping::{Mapper, perception::Reading};
+use cogmap_mapping::{Mapper, Sentence, perception::Reading, say};
 
 use crate::{
     Anchored, Atlas, Belief, HomingEvent, steering,
@@ -108,7 +108,7 @@ impl Recommended {
             self.way.clear();
         }
         let Some(scene) = self.scene(situation) else {
-            let why = "the robot has lost its way: nothing that it sees tells it where home is".to_owned();
+            let why = say("the robot has lost its way: nothing that it sees tells it where home is", &[]);
             return Proposal::new(Wish::GiveUp, Lead::Planning.mode(), why);
         };
         let mut events = Vec::new();
@@ -182,7 +182,7 @@ impl Recommended {
     ) -> Proposal {
         let here_from_floor = scene.floor_from_here.inverse();
         let corners: Vec<DVec2> = choice.way.corners.iter().map(|&corner| here_from_floor * corner).collect();
-        let why = self.why(&choice, lead);
+        let why = why(&choice, lead);
         if choice.switched {
             let robot = situation.belief.here_from_robot.position;
             let position = situation.in_map(robot).into();
@@ -198,7 +198,8 @@ impl Recommended {
         let near = choice.way.corners.last().is_none_or(|last| last.distance(scene.robot) < 0.15);
         if near && scene.robot.distance(scene.home) <= search::NEAR_HOME {
             let distance = scene.robot.distance(scene.home);
-            let why = format!("home itself cannot be reached: {distance:.2} m is as near as the robot gets");
+            let why =
+                say("home itself cannot be reached: {} m is as near as the robot gets", &[(distance, 2)]);
             return Proposal::new(Wish::Arrive, mode, why);
         }
         let wish = steering::toward(situation, &corners, ASIDE).unwrap_or_else(|| {
@@ -216,38 +217,38 @@ impl Recommended {
         self.ground.block(scene.robot + toward * TIGHT, self.moment);
         self.way.clear();
     }
+}
 
-    fn why(&self, choice: &Choice, lead: Lead) -> String {
-        let Survey { length, unseen, barrier, .. } = choice.survey;
-        let reason = match (choice.switched, choice.before) {
-            (true, None) if choice.had_one => "the way that the robot had in mind is closed; ",
-            (true, Some(_)) => "a shorter way has come to light; ",
-            _ => "",
-        };
-        let guess = match unseen {
-            unseen if barrier > 0 => {
-                format!(
-                    ", {unseen:.1} m of it through places that it has not seen free, and through where it saw a wall \
-                     long ago, which it hopes is gone"
-                )
-            }
-            unseen if unseen > 0.5 => {
-                format!(", {unseen:.1} m of it through places that it has not seen but hopes to be free")
-            }
-            _ => ", all of it through places that it has seen free".to_owned(),
-        };
-        match lead {
-            Lead::OwnWay => {
-                format!(
-                    "{reason}plans have got the robot nowhere, so it goes by its eyes and the way that it came \
-                     alone: {length:.1} m home"
-                )
-            }
-            Lead::Planning => {
-                format!("{reason}the best way home that the robot can think of is {length:.1} m long{guess}")
-            }
-        }
-    }
+/// Why the robot goes along a way.
+fn why(choice: &Choice, lead: Lead) -> Sentence {
+    let Survey { length, unseen, barrier, .. } = choice.survey;
+    let reason = match (choice.switched, choice.before) {
+        (true, None) if choice.had_one => say("the way that the robot had in mind is closed", &[]),
+        (true, Some(_)) => say("a shorter way has come to light", &[]),
+        _ => Sentence::default(),
+    };
+    let (long, unseen_long) = ((length, 1), (unseen, 1));
+    reason.then(match lead {
+        Lead::OwnWay => say(
+            "plans have got the robot nowhere, so it goes by its eyes and the way that it came alone: {} m home",
+            &[long],
+        ),
+        Lead::Planning if barrier > 0 => say(
+            "the best way home that the robot can think of is {} m long, {} m of it through places that it has not \
+             seen free, and through where it saw a wall long ago, which it hopes is gone",
+            &[long, unseen_long],
+        ),
+        Lead::Planning if unseen > 0.5 => say(
+            "the best way home that the robot can think of is {} m long, {} m of it through places that it has not \
+             seen but hopes to be free",
+            &[long, unseen_long],
+        ),
+        Lead::Planning => say(
+            "the best way home that the robot can think of is {} m long, all of it through places that it has seen \
+             free",
+            &[long],
+        ),
+    })
 }
 
 /// The way that a search finds, pulled tight.

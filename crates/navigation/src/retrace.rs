@@ -1,5 +1,5 @@
 use cogmap_geometry::{DVec2, trig::PI};
-use cogmap_mapping::Mapper;
+use cogmap_mapping::{Mapper, say};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -56,7 +56,7 @@ impl Retrace {
         self.pass(situation, &waypoints);
         let left = waypoints.get(..self.ahead).unwrap_or(&[]);
         let Some(&next) = left.last() else {
-            return Proposal::new(Wish::GiveUp, Mode::Route, "no remembered way leads home".to_owned());
+            return Proposal::new(Wish::GiveUp, Mode::Route, say("no remembered way leads home", &[]));
         };
         self.count(next.distance(situation.belief.here_from_robot.position));
         let wish = match steering::toward(situation, &[next], ASIDE) {
@@ -65,11 +65,10 @@ impl Retrace {
             None => Wish::GoTo(next),
         };
         let why = match wish {
-            Wish::GiveUp => "something stands in the way that the robot came".to_owned(),
-            _ => format!(
-                "the robot goes back the way that it came: the next of {} waypoints is {:.1} m away",
-                left.len(),
-                next.distance(situation.belief.here_from_robot.position)
+            Wish::GiveUp => say("something stands in the way that the robot came", &[]),
+            _ => say(
+                "the robot goes back the way that it came: the next of {} waypoints is {} m away",
+                &[(left.len() as f64, 0), (next.distance(situation.belief.here_from_robot.position), 1)],
             ),
         };
         let way = left.iter().rev().copied().collect();

@@ -1,5 +1,5 @@
 use cogmap_geometry::DVec2;
-use cogmap_mapping::{Mapper, memory::SurfaceId, perception::Reading};
+use cogmap_mapping::{Mapper, Sentence, memory::SurfaceId, perception::Reading, say};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -102,12 +102,12 @@ pub(crate) struct Proposal {
     pub(crate) chosen: Option<usize>,
     pub(crate) way: Vec<DVec2>,
     pub(crate) waypoints: Vec<DVec2>,
-    pub(crate) why: String,
+    pub(crate) why: Sentence,
     pub(crate) events: Vec<HomingEvent>,
 }
 
 impl Proposal {
-    pub(crate) fn new(wish: Wish, mode: Mode, why: String) -> Self {
+    pub(crate) fn new(wish: Wish, mode: Mode, why: Sentence) -> Self {
         Self {
             wish,
             mode,
@@ -121,7 +121,7 @@ impl Proposal {
     }
 
     pub(crate) fn arrived(distance: f64) -> Self {
-        let why = format!("home is believed to be {distance:.2} m away, which is near enough to stop");
+        let why = say("home is believed to be {} m away, which is near enough to stop", &[(distance, 2)]);
         Self::new(Wish::Arrive, Mode::Direction, why)
     }
 }

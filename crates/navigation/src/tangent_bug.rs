@@ -1,4 +1,5 @@
 use cogmap_geometry::{DVec2, normalize_angle, trig};
+use cogmap_mapping::{Sentence, say};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -75,7 +76,7 @@ impl TangentBug {
 
     pub(crate) fn decide(&mut self, situation: &Situation) -> Proposal {
         let Some(home) = situation.belief.home else {
-            let why = "the robot does not know where home is".to_owned();
+            let why = say("the robot does not know where home is", &[]);
             return Proposal::new(Wish::GiveUp, Mode::Direction, why);
         };
         let target = home.position;
@@ -87,9 +88,9 @@ impl TangentBug {
         if situation.free_toward(target) >= here.distance(target).min(looks_for) {
             self.boundary = None;
             self.heuristic = here.distance(target);
-            let why =
-                format!("home is {:.1} m away, and the robot sees nothing in between", here.distance(target));
-            return self.go(situation, target, &why);
+            let away = (here.distance(target), 1);
+            let why = say("home is {} m away, and the robot sees nothing in between", &[away]);
+            return self.go(situation, target, why);
         }
         if let Some(boundary) = self.boundary {
             let heading = situation.belief.here_from_robot.heading;
@@ -102,12 +103,12 @@ impl TangentBug {
             return self.begin(situation, target, &rays);
         }
         self.heuristic = self.heuristic.min(cost);
-        let why = format!(
-            "home is {:.1} m away with something in between: the robot goes for the end of it that makes the \
-             shortest way, {cost:.1} m",
-            here.distance(target)
+        let why = say(
+            "home is {} m away with something in between: the robot goes for the end of it that makes the \
+             shortest way, {} m",
+            &[(here.distance(target), 1), (cost, 1)],
         );
-        self.go(situation, end, &why)
+        self.go(situation, end, why)
     }
 
     fn look(&self, situation: &Situation) -> Vec<Ray> {
@@ -175,7 +176,7 @@ impl TangentBug {
                 return self.go(
                     situation,
                     end,
-                    "the robot sees a place that is nearer to home than all that it went along, and goes there",
+                    say("the robot sees a place that is nearer to home than all that it went along, and goes there", &[]),
                 );
             }
         }
@@ -188,15 +189,15 @@ impl TangentBug {
         self.boundary = Some(boundary);
         match self.along(rays, heading, boundary.side) {
             Some(end) if !round => {
-                let why = format!(
+                let why = say(
                     "no way on leads nearer to home, so the robot goes along what is in its way until it sees a place \
-                     that is less than {:.1} m from home",
-                    boundary.followed
+                     that is less than {} m from home",
+                    &[(boundary.followed, 1)],
                 );
-                self.go(situation, end, &why)
+                self.go(situation, end, why)
             }
             _ => {
-                let why = "the robot has gone round what is in its way without finding a gap".to_owned();
+                let why = say("the robot has gone round what is in its way without finding a gap", &[]);
                 Proposal::new(Wish::GiveUp, Mode::Direction, why)
             }
         }
@@ -221,11 +222,11 @@ impl TangentBug {
         open.min_by(|a, b| turn(a).total_cmp(&turn(b))).map(|ray| ray.end)
     }
 
-    fn go(&mut self, situation: &Situation, point: DVec2, why: &str) -> Proposal {
+    fn go(&mut self, situation: &Situation, point: DVec2, why: Sentence) -> Proposal {
         let free = situation.free_toward(point) >= situation.params.step_min;
         self.idle = if free { 0 } else { self.idle + 1 };
         let wish = if self.idle > self.params.patience { Wish::GiveUp } else { Wish::GoTo(point) };
-        Proposal { way: vec![point], ..Proposal::new(wish, Mode::Direction, why.to_owned()) }
+        Proposal { way: vec![point], ..Proposal::new(wish, Mode::Direction, why) }
     }
 }
 

@@ -28,3 +28,13 @@ pub(crate) const ON_DARK: Ramp = Ramp([
     0x7157be, 0x6565cc, 0x5474d7, 0x3c83dd, 0x1391df, 0x159dd4, 0x17a9cd, 0x19b6c6, 0x1cc2bf, 0x1eceb6,
     0x1fd9a9, 0x59df99, 0x84e489, 0xa9e779, 0xcae96c, 0xeaea63, 0xfeea70,
 ]);
+
+/// A longer run has only so many colours, so that surfaces of neighbouring views can be painted together.
+const RUN_COLOURS: usize = 64;
+
+/// How far through a run of so many views a view is, from 0 to 1.
+pub(crate) fn share_of_run(view: usize, views: usize) -> f64 {
+    let views = views.max(2);
+    let colours = views.min(RUN_COLOURS);
+    (view * colours / views) as f64 / (colours - 1) as f64
+}

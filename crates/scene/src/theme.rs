@@ -3,6 +3,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     Colour, Role,
     palette::{DARK, LIGHT, Palette},
+    ramp::share_of_run,
 };
 
 /// Which ground the picture stands on. Every colour of every picture comes from here.
@@ -51,16 +52,6 @@ pub struct Style {
     pub sign: Sign,
     /// Whether its lines are dashed.
     pub dashed: bool,
-}
-
-/// A longer run has only so many colours, so that surfaces of neighbouring views can be painted together.
-const RUN_COLOURS: usize = 64;
-
-/// How far through a run of so many views a view is, from 0 to 1.
-fn share_of_run(view: usize, views: usize) -> f64 {
-    let views = views.max(2);
-    let colours = views.min(RUN_COLOURS);
-    (view * colours / views) as f64 / (colours - 1) as f64
 }
 
 impl Theme {

@@ -11,6 +11,7 @@ use cogmap_scene::{decision_in_force, distrusted, narrowest};
 use cogmap_simulation::Session;
 
 use crate::{
+    clause::clauses,
     explanation::{
         AlongKind, Candidate, Corrected, Explanation, FittingPair, ReferenceReport, StageReport, Weighed,
     },
@@ -162,7 +163,7 @@ fn places(report: &StepReport, mind: &Mapper) -> Vec<StageReport> {
     let width = |exit| Some(mind.network()?.exit(exit)?.segment.length());
     stages.extend(place.events.iter().filter_map(|event| match event {
         Event::Exit { exit, why } => {
-            Some(StageReport::Exit { exit: exit.0, width: width(*exit), why: why.clone() })
+            Some(StageReport::Exit { exit: exit.0, width: width(*exit), why: clauses(why) })
         }
         Event::NewAsr { asr, exit, moved } => {
             Some(StageReport::NewAsr { asr: asr.0, exit: exit.0, moved: *moved })
@@ -171,7 +172,7 @@ fn places(report: &StepReport, mind: &Mapper) -> Vec<StageReport> {
             asr: asr.0,
             instead_of: instead_of.map(|asr| asr.0),
             overlap: *overlap,
-            why: why.clone(),
+            why: clauses(why),
         }),
         _ => None,
     }));
@@ -192,7 +193,7 @@ fn deciding(decision: &Decision) -> Vec<StageReport> {
         step: decision.step,
         lead: lead(decision.mode),
         option: decision.chosen.map(|index| index + 1),
-        why: decision.why.clone(),
+        why: clauses(&decision.why),
     };
     weighing.into_iter().chain([choice]).collect()
 }

@@ -2,7 +2,7 @@ use cogmap_scene::Stage;
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 
-use crate::status::{Lead, PlacementKind};
+use crate::{clause::Clause, homing::Lead, status::PlacementKind};
 
 /// The latest step of one mapper taken apart: what it found out and why, in the order of §3.2.1.
 #[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
@@ -106,8 +106,8 @@ pub enum StageReport {
         exit: u32,
         /// From jamb to jamb, metres.
         width: Option<f64>,
-        /// The engine's reason, a sentence.
-        why: String,
+        /// The engine's reason.
+        why: Vec<Clause>,
     },
     /// A local space was opened.
     NewAsr {
@@ -126,8 +126,8 @@ pub enum StageReport {
         instead_of: Option<u32>,
         /// The share of it that lies in the old one.
         overlap: f64,
-        /// The engine's reason, a sentence.
-        why: String,
+        /// The engine's reason.
+        why: Vec<Clause>,
     },
     /// The ways on were weighed.
     Options {
@@ -142,8 +142,8 @@ pub enum StageReport {
         lead: Lead,
         /// Which of the options, from 1; nothing where it was none of them.
         option: Option<usize>,
-        /// The engine's reason, a sentence.
-        why: String,
+        /// The engine's reason.
+        why: Vec<Clause>,
     },
     /// Something is not gone by any longer.
     Forgotten {

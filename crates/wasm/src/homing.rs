@@ -3,8 +3,55 @@
 use cogmap_mapping::MapperSetup;
 use cogmap_navigation::{Atlas, Belief, Decision, HomingEvent, Mode};
 use cogmap_simulation::{Command, Session, SessionEvent, WorldEvent};
+use serde::Serialize;
+use tsify::Tsify;
 
-use crate::status::{Ending, HomingStatus, Lead};
+use crate::clause::{Clause, clauses};
+
+/// A robot on its way home, or at the end of it.
+#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
+pub struct HomingStatus {
+    /// How it finds the way.
+    pub strategy: String,
+    /// The mapper whose memory it goes by.
+    pub by: String,
+    /// What leads it, once it has decided something.
+    pub lead: Option<Lead>,
+    /// What it decided last and why.
+    pub why: Option<Vec<Clause>>,
+    /// How many decisions it has made.
+    pub decisions: usize,
+    /// Metres in a straight line to where it believes that home is; nothing where it does not know.
+    pub believed: Option<f64>,
+    /// Metres in a straight line to where the run began.
+    pub distance: f64,
+    /// How it ended; nothing while the robot is on its way.
+    pub ended: Option<Ending>,
+}
+
+/// What leads a robot on its way home.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Tsify)]
+#[serde(rename_all = "snake_case")]
+pub enum Lead {
+    /// The sense of direction.
+    Direction,
+    /// The remembered route.
+    Route,
+    /// A plan.
+    Planning,
+}
+
+/// How a way home ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Tsify)]
+#[serde(rename_all = "snake_case")]
+pub enum Ending {
+    /// The robot stopped by itself: it believes that it is home.
+    Home,
+    /// The robot gave up.
+    Stuck,
+    /// The user stopped it or took over.
+    Stopped,
+}
 
 /// How it goes with going home, if that is what the robot does or did last: what it was told after the
 /// order that ended its way is not about home any more.
@@ -26,7 +73,7 @@ pub(crate) fn homing(session: &Session) -> Option<HomingStatus> {
         strategy: strategy.name().to_owned(),
         by: guide(session)?.name().to_owned(),
         lead: last.map(|decision| lead(decision.mode)),
-        why: last.map(|decision| decision.why.clone()),
+        why: last.map(|decision| clauses(&decision.why)),
         decisions: decisions.len(),
         believed: believed(session),
         distance: distance(session)?,

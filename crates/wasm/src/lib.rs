@@ -11,6 +11,7 @@
 
 mod alteration;
 mod canvas;
+mod clause;
 mod contents;
 mod courses;
 mod draft;
@@ -44,12 +45,14 @@ mod views;
 mod ways;
 
 pub use alteration::{Alteration, Objection, Tool};
+pub use clause::Clause;
 pub use contents::{Bearing, Contents, NearSurface, Place, SupposedExit, WayOut, Whereabouts};
 pub use draft::{Checked, Draft, Fault, Thing};
 pub use explanation::{
     AlongKind, Candidate, Corrected, Explanation, FittingPair, ReferenceReport, StageKind, StageReport,
     Weighed,
 };
+pub use homing::{Ending, HomingStatus, Lead};
 pub use laboratory::Laboratory;
 pub use landmarks::Landmark;
 pub use layers::{Colours, Fit, Layers};
@@ -62,8 +65,8 @@ pub use resumption::{Kept, KnownBuilding};
 pub use schematic::{Neighbour, Schematic, SchematicExit, SchematicPlace};
 pub use setup::{Choices, Opening, Setup};
 pub use status::{
-    BuildingStatus, Changed, DoorStatus, Ending, Happened, Happening, HomingStatus, LastView, Lead,
-    MemoryStatus, Offset, PlacementKind, ReferencePair, SourceKind, Status,
+    BuildingStatus, Changed, DoorStatus, Happened, Happening, LastView, MemoryStatus, Offset, PlacementKind,
+    ReferencePair, SourceKind, Status,
 };
 pub use story::{AsrFacts, ExitFacts, Facts, Occasion, SupposedFacts, SurfaceFacts, Told};
 pub use views::View;

@@ -2,7 +2,7 @@ use cogmap_simulation::WorldChange;
 use serde::Serialize;
 use tsify::Tsify;
 
-use crate::views::View;
+use crate::{homing::HomingStatus, views::View};
 
 /// What a run looks like at this moment.
 #[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
@@ -80,51 +80,6 @@ pub struct DoorStatus {
     pub name: String,
     /// Whether it stands open.
     pub open: bool,
-}
-
-/// A robot on its way home, or at the end of it.
-#[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
-pub struct HomingStatus {
-    /// How it finds the way.
-    pub strategy: String,
-    /// The mapper whose memory it goes by.
-    pub by: String,
-    /// What leads it, once it has decided something.
-    pub lead: Option<Lead>,
-    /// What it decided last and why, a sentence.
-    pub why: Option<String>,
-    /// How many decisions it has made.
-    pub decisions: usize,
-    /// Metres in a straight line to where it believes that home is; nothing where it does not know.
-    pub believed: Option<f64>,
-    /// Metres in a straight line to where the run began.
-    pub distance: f64,
-    /// How it ended; nothing while the robot is on its way.
-    pub ended: Option<Ending>,
-}
-
-/// What leads a robot on its way home.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Tsify)]
-#[serde(rename_all = "snake_case")]
-pub enum Lead {
-    /// The sense of direction.
-    Direction,
-    /// The remembered route.
-    Route,
-    /// A plan.
-    Planning,
-}
-
-/// How a way home ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Tsify)]
-#[serde(rename_all = "snake_case")]
-pub enum Ending {
-    /// The robot stopped by itself: it believes that it is home.
-    Home,
-    /// The robot gave up.
-    Stuck,
-    /// The user stopped it or took over.
-    Stopped,
 }
 
 /// What one mapper has in mind at this moment.

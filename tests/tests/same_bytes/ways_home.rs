@@ -3,7 +3,7 @@
 
 use cogmap_formats::{run, sha256_hex, world};
 use cogmap_geometry::DVec2;
-use cogmap_mapping::MapperSetup;
+use cogmap_mapping::{MapperSetup, Sentence};
 use cogmap_navigation::Decision;
 use cogmap_simulation::{Command, Driver, Robot, Session, SessionRecord, Source, Strategy};
 
@@ -23,7 +23,7 @@ pub(crate) fn digests(name: &str, file: &str) -> String {
         session.command(Command::GoHome { strategy: Strategy::named(strategy).unwrap() });
         while session.advance() && !session.at_rest() {}
         let wordless =
-            |decision: &Decision| Decision { why: String::new(), events: Vec::new(), ..decision.clone() };
+            |decision: &Decision| Decision { why: Sentence::default(), events: Vec::new(), ..decision.clone() };
         let decisions: Vec<Decision> = session.journal().decisions.iter().map(wordless).collect();
         assert!(decisions.len() > 5, "{name}, {strategy}: there is something to compare");
         let pose = session.world_from_robot();

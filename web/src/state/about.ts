@@ -6,5 +6,6 @@ import type { Lab } from './lab.svelte';
 export function aboutOf({ status, choice, offer }: Lab): string | undefined {
   if (!status || status.foreign) return undefined;
   if (choice.world === GENERATED) return strings.setup.generatedHint;
-  return offer?.worlds.find(({ file }) => file === choice.world)?.description;
+  const written = offer?.worlds.find(({ file }) => file === choice.world);
+  return written && (strings.setup.about[written.file] ?? written.description);
 }

@@ -37,14 +37,12 @@ export class Pointing {
 
   /** A click keeps the card of what lies there; beside everything it takes the card away. */
   async tap(view: View, x: number, y: number, coarse: boolean): Promise<void> {
-    await this.point(view, { x, y, reach: coarse ? REACH.coarse : REACH.fine });
-    this.pinned = this.told !== undefined;
+    await this.keep(view, { x, y, reach: coarse ? REACH.coarse : REACH.fine });
   }
 
   /** Keeps the card of a thing. */
   async choose(view: View, thing: Remembered): Promise<void> {
-    await this.point(view, { thing });
-    this.pinned = this.told !== undefined;
+    await this.keep(view, { thing });
   }
 
   /** Sets a thing off; a card that is to stay stays, unless this is meant to replace it. */
@@ -82,6 +80,12 @@ export class Pointing {
     const { passing } = this;
     this.passing = undefined;
     if (passing && !this.pinned) await this.point(passing.view, { ...passing, reach: REACH.fine });
+  }
+
+  /** What passes under a mouse that stands still does not come between a click and its card. */
+  private async keep(view: View, to: Target): Promise<void> {
+    this.pinned = true;
+    await this.point(view, to);
   }
 
   private async point(view: View, to: Target, carded = true): Promise<void> {

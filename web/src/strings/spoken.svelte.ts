@@ -16,7 +16,7 @@ const CATALOGUES: Record<Exclude<Language, 'en'>, () => Promise<Strings>> = {
   es: async () => (await import('./es')).es,
 };
 
-/** What the robot itself says, as in its files: the reasons of its decisions, and what is wrong with a file. */
+/** What stands in files, and what is wrong with them. */
 export const ENGINE_LANGUAGE = 'en';
 
 const KEY = 'cogmap-language';

@@ -1,3 +1,4 @@
+import type { Clause } from '../wasm/cogmap_wasm';
 import { locale } from './locale.svelte';
 
 /** Making one takes a while, so each is made once. */
@@ -24,6 +25,18 @@ export const plain = (value: number): string => format(value, 'plain', { maximum
 
 /** A whole number, its thousands set apart. */
 export const whole = (value: number): string => format(value, 'whole', { maximumFractionDigits: 0 });
+
+/** The engine's reason for something: in the words of a catalogue, or in its own. */
+export function said(clauses: Clause[], reasons: Record<string, string> = {}): string {
+  return clauses.map(({ pattern, numbers }) => filled(reasons[pattern] ?? pattern, numbers)).join('; ');
+}
+
+/** A pattern with the numbers, each with its decimals, in the places of its `{}`. */
+function filled(pattern: string, numbers: Clause['numbers']): string {
+  const [first, ...rest] = pattern.split('{}');
+  const at = (k: number): string => (numbers[k] ? number(...numbers[k]) : '{}');
+  return rest.reduce((text, after, k) => text + at(k) + after, first ?? '');
+}
 
 /** A moment of a run, as minutes and seconds. */
 export function moment(seconds: number): string {

@@ -1,3 +1,4 @@
+use cogmap_mapping::Sentence;
 use cogmap_navigation::{HomingEvent, HomingParams, Mode, StrategySetup};
 use cogmap_simulation::{Ending, Session, Strategy};
 use serde::Serialize;
@@ -9,7 +10,7 @@ pub(super) struct HomingNote<'a> {
     /// `home`, `stuck` or `stopped`; none while the robot is on its way.
     ending: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    why: Option<&'a str>,
+    why: Option<&'a Sentence>,
     /// Metres to where the run began, in truth and as the robot believes.
     distance: f64,
     believed_distance: Option<f64>,

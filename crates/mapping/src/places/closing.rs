@@ -6,6 +6,7 @@ use super::{AsrId, ExitId, Form, Now, Places, overlap, shape};
 use crate::{
     Event,
     memory::{Mfis, SurfaceId},
+    say,
 };
 
 /// Spaces are compared each so many metres of way.
@@ -175,8 +176,10 @@ impl Places {
             self.network.merge_exits(newer, older);
         }
         let exit = entered.and_then(|exit| self.network.exit(exit)).map_or(ExitId(0), |exit| exit.id);
-        let percent = 100.0 * overlap;
-        let why = format!("{percent:.0} % of ASR {} lies over ASR {}: the robot is back", newer.0, older.0);
+        let why = say(
+            "{} % of ASR {} lies over ASR {}: the robot is back",
+            &[(100.0 * overlap, 0), (f64::from(newer.0), 0), (f64::from(older.0), 0)],
+        );
         Event::LoopClosed { asr: older, instead_of: Some(newer), exit, overlap, why }
     }
 

@@ -7,7 +7,7 @@ use super::{
     closing::Newcomer,
     passage::{self, Passage},
 };
-use crate::{Event, memory::SurfaceId};
+use crate::{Event, memory::SurfaceId, say};
 
 /// A known exit is widened by so much on either side when the robot goes through it, metres.
 const JAMB_ERROR: f64 = 0.2;
@@ -59,7 +59,7 @@ impl Places {
             return Vec::new();
         }
         self.cross(now, (exit.id, segment), (pending.view, into));
-        let why = format!("the robot knew this exit: it leads back into ASR {}", into.0);
+        let why = say("the robot knew this exit: it leads back into ASR {}", &[(f64::from(into.0), 0)]);
         vec![Event::Exit { exit: exit.id, why }]
     }
 
@@ -148,9 +148,10 @@ impl Places {
 
     fn link(&mut self, now: Now<'_>, passage: &Passage, (asr, overlap): (AsrId, f64)) -> Vec<Event> {
         let (exit, _) = self.join(now, passage, asr);
-        let percent = 100.0 * overlap;
-        let why =
-            format!("{percent:.0} % of what is behind the exit belongs to ASR {}: the robot is back", asr.0);
+        let why = say(
+            "{} % of what is behind the exit belongs to ASR {}: the robot is back",
+            &[(100.0 * overlap, 0), (f64::from(asr.0), 0)],
+        );
         let closed = Event::LoopClosed { asr, instead_of: None, exit, overlap, why };
         vec![exit_event(exit, passage), closed]
     }
@@ -186,8 +187,7 @@ fn entrance_of(exit: Segment) -> Pose {
 
 fn exit_event(exit: ExitId, passage: &Passage) -> Event {
     let (width, jambs) = (passage.width(), passage.jambs);
-    let why = format!(
-        "{width:.2} m wide and wider on both sides of it along the way; walls go on beside {jambs} of its jambs"
-    );
+    let wide = say("{} m wide and wider on both sides of it along the way", &[(width, 2)]);
+    let why = wide.then(say("walls go on beside {} of its jambs", &[(f64::from(jambs), 0)]));
     Event::Exit { exit, why }
 }

@@ -1,4 +1,5 @@
 use cogmap_geometry::{DVec2, trig};
+use cogmap_mapping::{Sentence, say};
 use serde::{Deserialize, Serialize};
 
 use super::footing::Trust;
@@ -116,18 +117,18 @@ impl Rescue {
         if self.lead == Lead::OwnWay && self.called.is_none_or(|at| at.distance(robot) > self.params.rescued)
         {
             self.lead = Lead::Planning;
-            let why = "the robot has come on again and plans as before".to_owned();
+            let why = say("the robot has come on again and plans as before", &[]);
             events.push(HomingEvent::FailsafeOff { why });
         }
         if self.waited > self.params.patience {
             self.waited = 0;
-            let why = format!("the robot has not come on for {} decisions", self.params.patience);
+            let why = say("the robot has not come on for {} decisions", &[(self.params.patience as f64, 0)]);
             self.call(robot, why, events);
         }
         self.lead
     }
 
-    fn call(&mut self, robot: DVec2, why: String, events: &mut Vec<HomingEvent>) {
+    fn call(&mut self, robot: DVec2, why: Sentence, events: &mut Vec<HomingEvent>) {
         self.calls += 1;
         if self.lead == Lead::Planning {
             self.lead = Lead::OwnWay;
@@ -139,11 +140,14 @@ impl Rescue {
     }
 
     /// Why the robot should give up, where it has tried enough.
-    pub(super) fn is_spent(&self) -> Option<String> {
+    pub(super) fn is_spent(&self) -> Option<Sentence> {
         if self.calls > self.params.calls {
-            return Some(format!("the fail-safe has been called {} times in vain", self.params.calls));
+            return Some(say(
+                "the fail-safe has been called {} times in vain",
+                &[(self.params.calls as f64, 0)],
+            ));
         }
-        (self.left < 0.0).then(|| "the robot has gone many times its way out without coming home".to_owned())
+        (self.left < 0.0).then(|| say("the robot has gone many times its way out without coming home", &[]))
     }
 
     /// A way was found, which leads through a wall of long ago or not.
@@ -172,7 +176,7 @@ impl Rescue {
         let mode = self.lead.mode();
         if self.looks > self.params.looks {
             if self.lead == Lead::OwnWay || self.distrusts >= self.params.distrusts {
-                let why = "every way home that the robot knows or can think of is closed".to_owned();
+                let why = say("every way home that the robot knows or can think of is closed", &[]);
                 return Proposal::new(Wish::GiveUp, mode, why);
             }
             self.looks = 1;
@@ -180,11 +184,11 @@ impl Rescue {
             let floor = self.last.unwrap_or_default();
             self.call(
                 floor,
-                "what the robot remembers leaves no way: it trusts its eyes alone".to_owned(),
+                say("what the robot remembers leaves no way: it trusts its eyes alone", &[]),
                 events,
             );
         }
-        let why = "every way home that the robot knows or can think of seems closed".to_owned();
+        let why = say("every way home that the robot knows or can think of seems closed", &[]);
         let bearing = situation.belief.here_from_robot.heading + trig::FRAC_PI_2;
         Proposal::new(Wish::Face(bearing), mode, why)
     }

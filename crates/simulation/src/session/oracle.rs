@@ -1,4 +1,5 @@
 use cogmap_geometry::{DVec2, Pose, Segment};
+use cogmap_mapping::{Sentence, say};
 use cogmap_navigation::{Act, Decision, HomingEvent};
 
 use super::{drive::Drive, pilot::plain};
@@ -64,15 +65,15 @@ impl Oracle {
         let command = self.command(drive);
         let mut decision = match command {
             Ok(Some(Command::Step { turn, travel })) if distance > ARRIVED => {
-                let why =
-                    format!("one who sees the building leads the way: the start is {distance:.1} m off");
+                let off = (distance, 1);
+                let why = say("one who sees the building leads the way: the start is {} m off", &[off]);
                 plain(step, Act::Step { turn, travel }, why)
             }
             _ if distance <= ARRIVED => {
-                plain(step, Act::Arrived, format!("the start is {distance:.2} m away"))
+                plain(step, Act::Arrived, say("the start is {} m away", &[(distance, 2)]))
             }
-            Err(problem) => plain(step, Act::Stuck, format!("no way leads back: {problem}")),
-            Ok(_) => plain(step, Act::Stuck, "something stands in the way".to_owned()),
+            Err(problem) => plain(step, Act::Stuck, Sentence::from(format!("no way leads back: {problem}"))),
+            Ok(_) => plain(step, Act::Stuck, say("something stands in the way", &[])),
         };
         if begins {
             let strategy = "oracle".to_owned();

@@ -1,5 +1,5 @@
 use cogmap_geometry::DVec2;
-use cogmap_mapping::{Mapper, perception::Reading};
+use cogmap_mapping::{Mapper, Sentence, perception::Reading, say};
 use cogmap_navigation::{Act, Decision, Homing, HomingEvent, HomingParams, Mode};
 
 use super::{
@@ -96,9 +96,12 @@ impl Pilot {
     fn decide(&mut self, guide: Option<&Mapper>, drive: &Drive) -> Decision {
         let step = guide.map_or(0, |guide| guide.path().len().saturating_sub(1));
         if self.decisions >= self.most {
-            return stuck(step, format!("after {} decisions the robot is not home", self.decisions));
+            return stuck(
+                step,
+                say("after {} decisions the robot is not home", &[(self.decisions as f64, 0)]),
+            );
         }
-        let nothing_known = || stuck(step, "the robot has not seen anything yet".to_owned());
+        let nothing_known = || stuck(step, say("the robot has not seen anything yet", &[]));
         match &mut self.mind {
             Mind::Robot(homing) => {
                 let decision = guide.and_then(|guide| homing.decide(guide, drive.odom_from_robot()));
@@ -130,12 +133,12 @@ impl Pilot {
     }
 }
 
-fn stuck(step: usize, why: String) -> Decision {
+fn stuck(step: usize, why: Sentence) -> Decision {
     Decision { events: vec![HomingEvent::Stuck { why: why.clone() }], ..plain(step, Act::Stuck, why) }
 }
 
 /// A decision of which nothing can be shown on the map.
-pub(super) fn plain(step: usize, act: Act, why: String) -> Decision {
+pub(super) fn plain(step: usize, act: Act, why: Sentence) -> Decision {
     Decision {
         step,
         act,

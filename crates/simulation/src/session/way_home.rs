@@ -1,3 +1,4 @@
+use cogmap_mapping::Sentence;
 use cogmap_navigation::{Atlas, Belief, Decision, HomingEvent};
 
 use super::{Homeward, Session, Source, Stamped, guide, pilot::length};
@@ -26,12 +27,12 @@ pub struct WayHome<'a> {
 }
 
 /// How a way home ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ending<'a> {
     /// The robot stopped and said so: home is here.
     Home,
     /// The robot gave up, and why.
-    Stuck(&'a str),
+    Stuck(&'a Sentence),
     /// The user took over.
     Stopped,
 }

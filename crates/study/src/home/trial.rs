@@ -82,7 +82,7 @@ fn trial(session: &Session, before: usize) -> Option<Trial> {
     let headings: Vec<f64> =
         session.journal().truth.get(scans..)?.iter().map(|scan| scan.pose.heading).collect();
     let turned: f64 = headings.windows(2).map(|pair| normalize_angle(pair[1] - pair[0]).abs()).sum();
-    let why = way.decisions.last().map_or(String::new(), |decision| decision.why.clone());
+    let why = way.decisions.last().map_or(String::new(), |decision| decision.why.to_string());
     Some(Trial {
         ended: match way.ending {
             Some(Ending::Home) => Ended::Home,

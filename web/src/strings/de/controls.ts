@@ -1,5 +1,7 @@
-import type { Followed, HomingStatus } from '../../wasm/cogmap_wasm';
-import { moment, number, whole } from '../words';
+import type { Clause, Followed, HomingStatus } from '../../wasm/cogmap_wasm';
+import { moment, number, said, whole } from '../words';
+import { reasons } from './reasons';
+import { worlds } from './worlds';
 
 /** What each way of going home is, and whose idea. */
 const STRATEGIES: Record<string, string> = {
@@ -38,6 +40,7 @@ export const controls = {
       'two-shortcuts': 'Zwei Abkürzungen',
       'u-trap': 'U-Falle',
     } as Readonly<Record<string, string>>,
+    about: worlds,
     generated: 'Ein neues Gebäude',
     generatedHint: 'Eine Büroetage, die niemand gezeichnet hat: Flure, Räume, Türen und Möbel ergeben sich aus ihrer Nummer.',
     building: 'Nummer',
@@ -53,6 +56,7 @@ export const controls = {
     goHint: 'Lässt den Roboter allein dorthin zurückfinden, wo er losfuhr',
     strategy: (name: string) => `Wie er den Weg findet: ${name}`,
     about: (name: string) => STRATEGIES[name] ?? `Wie ${name} es macht`,
+    because: (clauses: Clause[]) => `${said(clauses, reasons)}.`,
     looking: 'Er soll nach Hause; zuerst hält er an und sieht sich um.',
     leads: {
       direction: 'Nach seinem Richtungssinn:',

@@ -1,5 +1,5 @@
-import type { Followed, HomingStatus } from '../../wasm/cogmap_wasm';
-import { moment, number, whole } from '../words';
+import type { Clause, Followed, HomingStatus } from '../../wasm/cogmap_wasm';
+import { moment, number, said, whole } from '../words';
 
 /** What each way of going home is, and whose idea. */
 const STRATEGIES: Record<string, string> = {
@@ -24,6 +24,8 @@ export const controls = {
     },
     /** What a world is called where that is not what its file says. */
     names: {} as Readonly<Record<string, string>>,
+    /** What is worth knowing about it, likewise. */
+    about: {} as Readonly<Record<string, string>>,
     generated: 'A new building',
     generatedHint: 'An office floor that nobody drew: corridors, rooms, doors and furniture come from its number.',
     building: 'Number',
@@ -39,6 +41,7 @@ export const controls = {
     goHint: 'Let the robot find the way back to where it began, alone',
     strategy: (name: string) => `How it finds the way: ${name}`,
     about: (name: string) => STRATEGIES[name] ?? `As ${name} does it`,
+    because: (clauses: Clause[]) => `${said(clauses)}.`,
     looking: 'Told to go home, it comes to rest and looks first.',
     leads: {
       direction: 'By its sense of direction:',

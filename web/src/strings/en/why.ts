@@ -1,5 +1,5 @@
 import type { PlacementKind, StageReport } from '../../wasm/cogmap_wasm';
-import { count, number } from '../words';
+import { count, number, said } from '../words';
 
 /** Why a memory is as it is. */
 export const why = {
@@ -115,15 +115,15 @@ function stageSentence(stage: StageReport, mapper: string): string {
     case 'wideness':
       return `From left to right it is ${number(stage.here, 2)} m wide here. On the way since the last view it was narrowest at ${number(stage.least, 2)} m, of ${count(stage.samples, 'measurement', 'measurements')}.`;
     case 'exit':
-      return `The robot went through exit ${stage.exit}${stage.width === undefined ? '' : `, ${number(stage.width, 2)} m wide`}: ${stage.why}.`;
+      return `The robot went through exit ${stage.exit}${stage.width === undefined ? '' : `, ${number(stage.width, 2)} m wide`}: ${said(stage.why)}.`;
     case 'new_asr':
       return `Behind exit ${stage.exit} a new local space (ASR ${stage.asr}) was opened; ${count(stage.moved, 'surface', 'surfaces')} seen through the exit now belong to it.`;
     case 'loop_closed':
-      return `A loop is closed: ${Math.round(100 * stage.overlap)} % of ${stage.instead_of === undefined ? 'what lies behind the exit' : `ASR ${stage.instead_of}`} is in ASR ${stage.asr}, so it is the same: ${stage.why}. Only the network changes; the map stays.`;
+      return `A loop is closed: ${Math.round(100 * stage.overlap)} % of ${stage.instead_of === undefined ? 'what lies behind the exit' : `ASR ${stage.instead_of}`} is in ASR ${stage.asr}, so it is the same: ${said(stage.why)}. Only the network changes; the map stays.`;
     case 'options':
       return `Told to go home, the robot weighs ${count(stage.options.length, 'way on', 'ways on')} that it sees to be free.`;
     case 'choice':
-      return `${stage.option === undefined ? 'It decided' : `It took way ${stage.option}`} after view ${stage.step + 1}: ${stage.why}.`;
+      return `${stage.option === undefined ? 'It decided' : `It took way ${stage.option}`} after view ${stage.step + 1}: ${said(stage.why)}.`;
     case 'forgotten': {
       const map = `The map let go of ${count(stage.by_map, 'surface', 'surfaces')}, as the robot has moved on to other spaces.`;
       const home = `On its way home the robot does not trust ${count(stage.by_navigation, 'surface', 'surfaces')} that it has not seen lately; the map keeps them.`;

@@ -1,5 +1,7 @@
-import type { Followed, HomingStatus } from '../../wasm/cogmap_wasm';
-import { moment, number, whole } from '../words';
+import type { Clause, Followed, HomingStatus } from '../../wasm/cogmap_wasm';
+import { moment, number, said, whole } from '../words';
+import { reasons } from './reasons';
+import { worlds } from './worlds';
 
 /** What each way of going home is, and whose idea. */
 const STRATEGIES: Record<string, string> = {
@@ -38,6 +40,7 @@ export const controls = {
       'two-shortcuts': 'Dos atajos',
       'u-trap': 'Trampa en U',
     } as Readonly<Record<string, string>>,
+    about: worlds,
     generated: 'Un edificio nuevo',
     generatedHint: 'Una planta de oficinas que nadie dibujó: pasillos, salas, puertas y muebles salen de su número.',
     building: 'Número',
@@ -53,6 +56,7 @@ export const controls = {
     goHint: 'Deja que el robot encuentre solo el camino de vuelta a donde empezó',
     strategy: (name: string) => `Cómo encuentra el camino: ${name}`,
     about: (name: string) => STRATEGIES[name] ?? `Como lo hace ${name}`,
+    because: (clauses: Clause[]) => `${said(clauses, reasons)}.`,
     looking: 'Se le ha dicho que vaya a casa; primero se detiene y mira.',
     leads: {
       direction: 'Por su sentido de la dirección:',

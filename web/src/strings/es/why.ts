@@ -1,5 +1,6 @@
 import type { PlacementKind, StageReport } from '../../wasm/cogmap_wasm';
-import { count, number } from '../words';
+import { count, number, said } from '../words';
+import { reasons } from './reasons';
 
 /** Why a memory is as it is. */
 export const why = {
@@ -116,15 +117,15 @@ function stageSentence(stage: StageReport, mapper: string): string {
     case 'wideness':
       return `De izquierda a derecha hay aquí ${number(stage.here, 2)} m de ancho. En el camino desde la última vista lo más estrecho fueron ${number(stage.least, 2)} m, de ${count(stage.samples, 'medición', 'mediciones')}.`;
     case 'exit':
-      return `El robot pasó por la salida ${stage.exit}${stage.width === undefined ? '' : `, de ${number(stage.width, 2)} m de ancho`}: ${stage.why}.`;
+      return `El robot pasó por la salida ${stage.exit}${stage.width === undefined ? '' : `, de ${number(stage.width, 2)} m de ancho`}: ${said(stage.why, reasons)}.`;
     case 'new_asr':
       return `Tras la salida ${stage.exit} se abrió un nuevo espacio local (ASR ${stage.asr}); ${count(stage.moved, 'superficie vista a través de la salida le pertenece', 'superficies vistas a través de la salida le pertenecen')} ahora.`;
     case 'loop_closed':
-      return `Se ha cerrado un bucle: el ${Math.round(100 * stage.overlap)} % de ${stage.instead_of === undefined ? 'lo que hay tras la salida' : `ASR ${stage.instead_of}`} está en ASR ${stage.asr}, así que es el mismo: ${stage.why}. Solo cambia la red; el mapa se queda.`;
+      return `Se ha cerrado un bucle: el ${Math.round(100 * stage.overlap)} % de ${stage.instead_of === undefined ? 'lo que hay tras la salida' : `ASR ${stage.instead_of}`} está en ASR ${stage.asr}, así que es el mismo: ${said(stage.why, reasons)}. Solo cambia la red; el mapa se queda.`;
     case 'options':
       return `Camino de casa, el robot sopesa ${count(stage.options.length, 'camino que ve libre', 'caminos que ve libres')}.`;
     case 'choice':
-      return `${stage.option === undefined ? 'Decidió' : `Tomó el camino ${stage.option}`} tras la vista ${stage.step + 1}: ${stage.why}.`;
+      return `${stage.option === undefined ? 'Decidió' : `Tomó el camino ${stage.option}`} tras la vista ${stage.step + 1}: ${said(stage.why, reasons)}.`;
     case 'forgotten': {
       const map = `El mapa soltó ${count(stage.by_map, 'superficie', 'superficies')}, porque el robot ha pasado a otros espacios.`;
       const home = `Camino de casa el robot no se fía de ${count(stage.by_navigation, 'superficie', 'superficies')} que no ha visto últimamente; el mapa las conserva.`;

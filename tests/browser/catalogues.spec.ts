@@ -1,0 +1,58 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { expect, test } from '@playwright/test';
+
+/** The folder that npm runs this in is `web`. */
+const root = resolve('..');
+
+/** What the engine can give as a reason: the patterns in its code. */
+function patterns(): Set<string> {
+  const crates = ['mapping', 'navigation', 'simulation'].map((name) => join(root, 'crates', name, 'src'));
+  const files = crates.flatMap((folder) =>
+    readdirSync(folder, { recursive: true, encoding: 'utf8' }).map((name) => join(folder, name)),
+  );
+  const code = files.filter((name) => name.endsWith('.rs')).map((name) => readFileSync(name, 'utf8').split('#[cfg(test)]')[0]);
+  const said = code.join('\n').matchAll(/\bsay\(\s*"((?:[^"\\]|\\.|\\\n)*)"/g);
+  return new Set([...said].map(([, pattern = '']) => pattern.replaceAll(/\\\n\s*/g, '')));
+}
+
+/** What a part of a catalogue holds. */
+function translations(language: string, part: string): Map<string, string> {
+  const text = readFileSync(join(root, 'web/src/strings', language, `${part}.ts`), 'utf8');
+  const pairs = text.matchAll(/^ {2}'?(.*?)'?:\s+'(.*)',$/gm);
+  return new Map([...pairs].map(([, key = '', words = '']) => [key, words]));
+}
+
+for (const language of ['de', 'es']) {
+  test(`every reason of the engine has words in ${language}, with a place for each number`, () => {
+    const known = patterns();
+    expect(known.size).toBeGreaterThan(50);
+    const words = translations(language, 'reasons');
+    expect([...words.keys()].sort()).toEqual([...known].sort());
+    for (const [pattern, said] of words) {
+      expect(said.split('{}').length, said).toBe(pattern.split('{}').length);
+      expect(said).not.toBe(pattern);
+    }
+  });
+
+  test(`what is told of each building of the page is told in ${language}`, () => {
+    const worlds = readdirSync(join(root, 'worlds')).flatMap((name) => /^(.*)\.world\.json$/.exec(name)?.[1] ?? []);
+    expect([...translations(language, 'worlds').keys()].sort()).toEqual(worlds.sort());
+  });
+}
+
+for (const [language, go, driven, reason] of [
+  ['de', 'Nach Hause', /([\d,]+) m gefahren/, /Nach einem Plan: .*Weg nach Hause.*\d,\d m/],
+  ['es', 'Ir a casa', /([\d,]+) m recorridos/, /Según un plan: .*camino a casa .*\d,\d m/],
+] as const) {
+  test(`the robot gives its reasons in ${language}`, async ({ page }) => {
+    await page.goto(`./?mappers=consensus&lang=${language}`);
+    await expect(page.getByRole('button', { name: go, exact: true })).toBeEnabled();
+    const metres = async () => Number(driven.exec(await page.locator('main').innerText())?.[1]?.replace(',', '.') ?? 0);
+    await expect.poll(metres).toBeGreaterThan(3);
+    await page.keyboard.press('h');
+    const told = page.getByText(reason).first();
+    await expect(told).toBeVisible();
+    expect(await told.innerText()).not.toMatch(/\b(the|robot goes|home|first it|way)\b/);
+  });
+}
