@@ -16,6 +16,17 @@ function patterns(): Set<string> {
   return new Set([...said].map(([, pattern = '']) => pattern.replaceAll(/\\\n\s*/g, '')));
 }
 
+/** What legends can say: the texts in the code of the scenes, but for titles and the words that only these count. */
+function captions(): Set<string> {
+  const folder = join(root, 'crates/scene/src');
+  const names = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) => /_scene(\.rs$|\/(?!tests))/.test(name));
+  const files = [...names.map((name) => join(folder, name)), join(root, 'crates/wasm/src/scenes.rs')];
+  const code = files.filter((name) => name.endsWith('.rs')).map((name) => readFileSync(name, 'utf8').split('#[cfg(test)]')[0]);
+  const lines = code.join('\n').split('\n').filter((line) => !/^\s*(\/\/|#\[)/.test(line));
+  const texts = lines.join('\n').matchAll(/"([a-z][^"·:]*)"/g);
+  return new Set([...texts].map(([, text = '']) => text).filter((text) => !['scan', 'surface', 'view'].includes(text)));
+}
+
 /** What a part of a catalogue holds. */
 function translations(language: string, part: string): Map<string, string> {
   const text = readFileSync(join(root, 'web/src/strings', language, `${part}.ts`), 'utf8');
@@ -33,6 +44,12 @@ for (const language of ['de', 'es']) {
       expect(said.split('{}').length, said).toBe(pattern.split('{}').length);
       expect(said).not.toBe(pattern);
     }
+  });
+
+  test(`every legend has words in ${language}`, () => {
+    const known = captions();
+    expect(known.size).toBeGreaterThan(50);
+    expect([...translations(language, 'legend').keys()].sort()).toEqual([...known].sort());
   });
 
   test(`what is told of each building of the page is told in ${language}`, () => {

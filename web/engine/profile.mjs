@@ -31,7 +31,12 @@ await context.route('**/*.js', async (route) => {
   await route.fulfill({ response, body: body.includes('WebAssembly.') ? HEAD + body : body });
 });
 const page = await context.newPage();
-await page.goto(`http://127.0.0.1:${server.httpServer.address().port}/`);
+const address = `http://127.0.0.1:${server.httpServer.address().port}/`;
+// In another language the legends are worded, too.
+await page.goto(`${address}?lang=de`);
+await drivenOn();
+const inGerman = await told();
+await page.goto(address);
 await drivenOn();
 await page.waitForTimeout(WATCHED[0]);
 for (const key of ['ArrowUp', 'ArrowLeft', 'ArrowUp', 'ArrowRight']) {
@@ -40,14 +45,20 @@ for (const key of ['ArrowUp', 'ArrowLeft', 'ArrowUp', 'ArrowRight']) {
   await page.waitForTimeout(WATCHED[1]);
   await page.keyboard.up(key);
 }
-const touched = await Promise.all(page.workers().map((worker) => worker.evaluate(() => [...(globalThis.touched ?? [])])));
+const touched = [...inGerman, ...(await told())];
 await browser.close();
 await server.close();
 
-const called = [...new Set(touched.flat().map((k) => plain(names[k])))].sort();
+const called = [...new Set(touched.map((k) => plain(names[k])))].sort();
 if (called.length === 0) throw new Error('the engine told of no function: has the page been built?');
 writeFileSync(list, `# What the page calls until somebody drives; written by engine/profile.mjs.\n${called.join('\n')}\n`);
 console.log(`${called.length} names in ${list}: build the page again`);
+
+/** The numbers of the functions that the page's workers called. */
+async function told() {
+  const each = page.workers().map((worker) => worker.evaluate(() => [...(globalThis.touched ?? [])]));
+  return (await Promise.all(each)).flat();
+}
 
 /** Waits until the robot has driven farther, however long that takes. */
 async function drivenOn() {
@@ -57,8 +68,8 @@ async function drivenOn() {
 
 /** Metres driven, as the page tells it. */
 async function driven() {
-  const told = await page.evaluate(() => document.body.innerText);
-  return Number(/([\d.]+) m driven/.exec(told)?.[1] ?? 0);
+  const words = await page.evaluate(() => document.body.innerText);
+  return Number(/([\d.,]+) m (?:driven|gefahren)/.exec(words)?.[1].replace(',', '.') ?? 0);
 }
 
 /** The engine with a call at the beginning of each function, and the functions' names by their numbers. */

@@ -16,6 +16,7 @@ use looking::Seen;
 use crate::{
     alteration::{Alteration, Objection, Pointer},
     canvas::Canvas,
+    captions::Captions,
     explanation::StageKind,
     landmarks::Landmark,
     opening,
@@ -46,6 +47,7 @@ pub struct Laboratory {
     /// The thing of a memory that is set off from the rest, and in which view.
     set_off: Option<(View, Remembered)>,
     canvases: BTreeMap<View, Canvas>,
+    captions: Captions,
     /// What was made for each view last.
     seen: BTreeMap<View, Seen>,
 }
@@ -212,6 +214,7 @@ impl Laboratory {
             pointed: None,
             set_off: None,
             canvases: BTreeMap::new(),
+            captions: Captions::default(),
             seen: BTreeMap::new(),
         }
     }

@@ -11,6 +11,7 @@
 
 mod alteration;
 mod canvas;
+mod captions;
 mod clause;
 mod contents;
 mod courses;

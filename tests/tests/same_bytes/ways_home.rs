@@ -22,8 +22,11 @@ pub(crate) fn digests(name: &str, file: &str) -> String {
         session.jump(out);
         session.command(Command::GoHome { strategy: Strategy::named(strategy).unwrap() });
         while session.advance() && !session.at_rest() {}
-        let wordless =
-            |decision: &Decision| Decision { why: Sentence::default(), events: Vec::new(), ..decision.clone() };
+        let wordless = |decision: &Decision| Decision {
+            why: Sentence::default(),
+            events: Vec::new(),
+            ..decision.clone()
+        };
         let decisions: Vec<Decision> = session.journal().decisions.iter().map(wordless).collect();
         assert!(decisions.len() > 5, "{name}, {strategy}: there is something to compare");
         let pose = session.world_from_robot();

@@ -1,7 +1,7 @@
 import { transfer, type Remote } from 'comlink';
 import type { Look } from '../wasm/cogmap_wasm';
 import type { Bench } from '../worker/bench';
-import type { Layers, View } from '../worker/protocol';
+import type { Layers, Legend, View } from '../worker/protocol';
 
 /** What surfaces can be coloured by. */
 export const COLOURS: Layers['colours'][] = ['view', 'asr', 'age'];
@@ -19,6 +19,7 @@ export class Showing {
   /** Whether the world is shown beside the memories. */
   world = $state(true);
   private look: Look = 'light';
+  private legend: Legend = {};
 
   constructor(private readonly bench: () => Remote<Bench>) {}
 
@@ -71,9 +72,16 @@ export class Showing {
     void this.bench().setLook(look);
   }
 
+  /** What the legends say in the language that is spoken. */
+  setLegend(legend: Legend): void {
+    this.legend = legend;
+    void this.bench().setLegend(legend);
+  }
+
   /** Shows the same on another bench. */
   renew(): void {
     this.setLook(this.look);
+    this.setLegend(this.legend);
     if (this.layers) this.show(this.layers);
   }
 }

@@ -3,7 +3,7 @@ import { Clock } from './clock';
 import { Easel } from './easel';
 import * as engine from './engine';
 import { Keeper } from './keeper';
-import type { Moment, Notice, Pace } from './protocol';
+import type { Legend, Moment, Notice, Pace } from './protocol';
 import { momentOf } from './saving';
 
 /** How often the page is told what happens, milliseconds. */
@@ -20,6 +20,8 @@ export class Player {
   /** The number of the latest question about what is pointed at. */
   asked = 0;
   readonly easel = new Easel();
+  /** What the legends say, by what the engine says. */
+  private legend: Legend = {};
   private readonly clock = new Clock((elapsed, now) => this.turn(elapsed, now));
   private readonly keeper = new Keeper(() => (this.resuming ? undefined : this.laboratory && momentOf(this.laboratory)));
   private listen: (notice: Notice) => void = () => undefined;
@@ -46,8 +48,18 @@ export class Player {
     this.laboratory = laboratory;
     this.source = laboratory.status().source;
     for (const [view, { width, height }] of this.easel.views) laboratory.resize(view, width, height);
+    if (!isEmpty(this.legend)) word(laboratory, this.legend);
     this.play(true);
     return left;
+  }
+
+  /** Words the legends, which a laboratory that is told nothing has in English. */
+  setLegend(legend: Legend): void {
+    const asItIs = isEmpty(legend) && isEmpty(this.legend);
+    this.legend = legend;
+    if (asItIs || !this.laboratory) return;
+    word(this.laboratory, legend);
+    this.paint();
   }
 
   /** Somebody did something that is to be kept. */
@@ -137,3 +149,8 @@ export class Player {
     this.listen({ status, playing, pace: this.paces[status.source], marks, why, pointed });
   }
 }
+
+const isEmpty = (legend: Legend): boolean => Object.keys(legend).length === 0;
+
+const word = (laboratory: Laboratory, legend: Legend): void =>
+  laboratory.word_legend(Object.keys(legend), Object.values(legend));

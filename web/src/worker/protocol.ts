@@ -23,6 +23,9 @@ export interface Choice {
   seed: number;
 }
 
+/** What legends say in another language, by what they say in English. */
+export type Legend = Readonly<Record<string, string>>;
+
 /** A file that somebody brought. */
 export interface Brought {
   name: string;

@@ -9,6 +9,7 @@ use web_sys::OffscreenCanvasRenderingContext2d;
 use super::{Laboratory, all_views};
 use crate::{
     canvas::{Canvas, Place},
+    captions::Captions,
     explaining::explanation,
     explanation::{Explanation, StageKind},
     failure::Failure,
@@ -95,6 +96,12 @@ impl Laboratory {
         self.stance = layers.stance;
         self.shown = layers.into();
         Ok(())
+    }
+
+    /// Words the legends in another language: what they say in English, `{}` for a number, and what they are to say.
+    pub fn word_legend(&mut self, english: Vec<String>, words: Vec<String>) {
+        self.captions = Captions::new(english, words);
+        self.seen.clear();
     }
 
     /// Why the memory in a view is as it is: its latest step taken apart; nothing where there is no step.
@@ -191,7 +198,8 @@ impl Laboratory {
         if let Some(seen) = self.seen.get(&view).filter(|seen| seen.of == of) {
             return seen.clone();
         }
-        let scene = self.scene(view, &of);
+        let mut scene = self.scene(view, &of);
+        self.captions.put(&mut scene);
         let seen = Seen { bounds: scene.bounds(), scene: scene.into(), of };
         self.seen.insert(view, seen.clone());
         seen

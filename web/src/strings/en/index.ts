@@ -26,4 +26,6 @@ export const en = {
   ...telling,
   ...keeping,
   help,
+  /** What the legends say where that is not what the engine says. */
+  legend: {} as Readonly<Record<string, string>>,
 } as const;

@@ -3,6 +3,7 @@ import { changing } from './changing';
 import { controls } from './controls';
 import { help } from './help';
 import { keeping } from './keeping';
+import { legend } from './legend';
 import { plan } from './plan';
 import { plots } from './plots';
 import { question } from './question';
@@ -27,4 +28,5 @@ export const es: Strings = {
   ...telling,
   ...keeping,
   help,
+  legend,
 };
