@@ -1,21 +1,25 @@
 import { mount } from 'svelte';
 import App from './App.svelte';
 import { Address } from './keep/address';
+import { Lab } from './state/lab.svelte';
 import { turn } from './state/turn';
 import { language } from './strings';
-import { number } from './strings/words';
 import './styles/tokens.css';
 import './styles/base.css';
 
+/** By then the page has opened, milliseconds. */
+const AT_EASE = 3000;
+
 const target = document.getElementById('app');
-await language.begin(new Address(location).language);
+const address = new Address(location);
+await language.begin(address.language);
 await turn();
-// The first number takes the browser as long as a part of the page.
-number(0, 1);
+const lab = new Lab(address);
 await turn();
-if (target) mount(App, { target });
+if (target) mount(App, { target, props: { address, lab } });
 
 if (import.meta.env.PROD && 'serviceWorker' in navigator) {
-  // Keeps the page's own files, so that it opens without a network from the second visit on.
-  void navigator.serviceWorker.register('./sw.js');
+  // Keeps the page's own files, so that it opens without a network from the second visit on; it fetches them all,
+  // which can wait until the page has opened.
+  setTimeout(() => void navigator.serviceWorker.register('./sw.js'), AT_EASE);
 }

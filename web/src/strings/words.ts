@@ -1,30 +1,26 @@
 import type { Clause } from '../wasm/cogmap_wasm';
 import { locale } from './locale.svelte';
 
-/** Making one takes a while, so each is made once. */
-const formats = new Map<string, Intl.NumberFormat>();
+/** What stands between a whole number and its digits behind the point. */
+const point = (): string => (locale.tag === 'en' ? '.' : ',');
 
-function format(value: number, name: string, options: Intl.NumberFormatOptions): string {
-  const key = `${locale.tag} ${name}`;
-  let format = formats.get(key);
-  if (!format) {
-    format = new Intl.NumberFormat(locale.tag, options);
-    formats.set(key, format);
-  }
-  return format.format(value);
-}
+/** For long numbers alone: the first one takes the browser as long as a part of the page. */
+let grouping: Intl.NumberFormat | undefined;
 
 /** A number with so many digits behind the point. */
-export function number(value: number, digits: number): string {
-  const digital = { minimumFractionDigits: digits, maximumFractionDigits: digits, useGrouping: false };
-  return format(value, `${digits}`, digital);
-}
+export const number = (value: number, digits: number): string => value.toFixed(digits).replace('.', point());
 
-/** A number with no more digits than it needs. */
-export const plain = (value: number): string => format(value, 'plain', { maximumFractionDigits: 2 });
+/** A number with no more digits than it needs, two at most. */
+export const plain = (value: number): string => String(Number(value.toFixed(2))).replace('.', point());
 
 /** A whole number, its thousands set apart. */
-export const whole = (value: number): string => format(value, 'whole', { maximumFractionDigits: 0 });
+export function whole(value: number): string {
+  if (Math.abs(value) < 999.5) return value.toFixed(0);
+  if (grouping?.resolvedOptions().locale !== locale.tag) {
+    grouping = new Intl.NumberFormat(locale.tag, { maximumFractionDigits: 0 });
+  }
+  return grouping.format(value);
+}
 
 /** The engine's reason for something: in the words of a catalogue, or in its own. */
 export function said(clauses: Clause[], reasons: Record<string, string> = {}): string {
