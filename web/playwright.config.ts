@@ -1,7 +1,7 @@
 import { defineConfig } from '@playwright/test';
 
 /** Where the page is served already; without it, the built page is served from `web/dist`. */
-const served = process.env['COGMAP_URL'];
+const served = process.env['COGMAP_URL'] || undefined;
 const port = process.env['COGMAP_PORT'] ?? '4179';
 
 /** Switches that keep the browser itself from talking to anybody. */

@@ -11,7 +11,7 @@ export function headers(): Record<string, string> {
   const policy = /http-equiv="Content-Security-Policy"\s+content="([^"]+)"/.exec(page)?.[1];
   if (!policy) throw new Error('web/index.html declares no Content-Security-Policy: every page needs one');
   return {
-    'Content-Security-Policy': `${policy}; frame-ancestors *`,
+    'Content-Security-Policy': `${policy.replace(/\s+/g, ' ')}; frame-ancestors *`,
     'Cache-Control': 'no-cache',
     'X-Content-Type-Options': 'nosniff',
   };

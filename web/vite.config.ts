@@ -19,6 +19,7 @@ export default defineConfig({
   appType: 'mpa',
   preview: { headers: headers() },
   plugins: [
+    // All of its options are the defaults.
     svelte({ configFile: false }),
     policyOnlyWhenBuilt,
     VitePWA({

@@ -37,6 +37,18 @@ for (const colorScheme of ['light', 'dark'] as const) {
         expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
       });
 
+      test('axe finds nothing to object to in the menus', async ({ page }) => {
+        await new BenchPage(page).open();
+        for (const name of ['Build', 'Save, share', 'Language', 'recommended']) {
+          await page.getByRole('button', { name, exact: true }).click();
+          const choices = page.getByRole('group', { name, exact: true }).getByRole('list');
+          await expect(choices).toBeVisible();
+          expect((await new AxeBuilder({ page }).analyze()).violations, name).toEqual([]);
+          await page.keyboard.press('Escape');
+          await expect(choices).toBeHidden();
+        }
+      });
+
       test('nothing hangs over the edge', async ({ page }) => {
         await new BenchPage(page).open();
         const wider = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);

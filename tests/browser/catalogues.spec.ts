@@ -49,7 +49,9 @@ for (const language of ['de', 'es']) {
   test(`every legend has words in ${language}`, () => {
     const known = captions();
     expect(known.size).toBeGreaterThan(50);
-    expect([...translations(language, 'legend').keys()].sort()).toEqual([...known].sort());
+    const words = translations(language, 'legend');
+    expect([...words.keys()].sort()).toEqual([...known].sort());
+    for (const [text, said] of words) expect(said.split('{}').length, said).toBe(text.split('{}').length);
   });
 
   test(`what is told of each building of the page is told in ${language}`, () => {
@@ -73,3 +75,25 @@ for (const [language, go, driven, reason] of [
     expect(await told.innerText()).not.toMatch(/\b(the|robot goes|home|first it|way)\b/);
   });
 }
+
+test('the legends of a view change with the language, and back', async ({ page }) => {
+  await page.goto('./?mappers=consensus');
+  await expect(page.getByRole('button', { name: 'Go Home', exact: true })).toBeEnabled();
+  await page.getByRole('button', { name: 'Pause' }).click();
+  await page.getByRole('button', { name: 'Language' }).click();
+  await page.getByRole('button', { name: 'English' }).click();
+  const legend = async () => {
+    const box = await page.locator('canvas').last().boundingBox();
+    if (!box) throw new Error('there is no memory');
+    const clip = { x: box.x, y: box.y + box.height - 80, width: box.width, height: 80 };
+    return (await page.screenshot({ clip })).toString('base64');
+  };
+  await page.waitForTimeout(500);
+  const english = await legend();
+  await page.getByRole('button', { name: 'Language' }).click();
+  await page.getByRole('button', { name: 'Deutsch' }).click();
+  await expect.poll(legend).not.toBe(english);
+  await page.getByRole('button', { name: 'Sprache' }).click();
+  await page.getByRole('button', { name: 'English' }).click();
+  await expect.poll(legend).toBe(english);
+});

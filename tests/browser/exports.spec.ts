@@ -42,6 +42,8 @@ test('everything comes in one archive, each file as if saved alone, and its sess
   await bench.takeOver();
   const map = await bench.save('Map');
   const session = await bench.save('Session');
+  const table = await bench.save('Table');
+  const drawing = await bench.save('Drawing');
   const { name, bytes } = await bench.save('Everything');
   const stem = name.replace(/\.zip$/, '');
   const files = unzipSync(bytes);
@@ -60,11 +62,28 @@ test('everything comes in one archive, each file as if saved alone, and its sess
   ]);
   expect(text('map.json')).toBe(map.bytes.toString());
   expect(text('session.json')).toBe(session.bytes.toString());
+  expect(text('table.csv')).toBe(table.bytes.toString());
+  expect(text('views.svg')).toBe(drawing.bytes.toString());
   const poses = (file: string) => text(file).trimEnd().split('\n').map((row) => row.split(' ').map(Number));
   for (const file of ['truth.tum', 'odometry.tum', 'estimate.tum']) {
     expect(poses(file).every((row) => row.length === 8 && row.every(Number.isFinite)), file).toBe(true);
     expect(poses(file).length, file).toBe(poses('truth.tum').length);
   }
+  // The trajectories are those of the table: when, where, and turned by so much.
+  const [, ...rows] = text('table.csv').trimEnd().split('\r\n').map((row) => row.split(',').map(Number));
+  for (const [index, file] of ['truth.tum', 'odometry.tum', 'estimate.tum'].entries()) {
+    expect(poses(file).length).toBe(rows.length);
+    for (const [row, [t = NaN, x = NaN, y = NaN, z, , , sine = NaN, cosine = NaN]] of poses(file).entries()) {
+      const [at = NaN, left = NaN, up = NaN, heading = NaN] = [rows[row]?.[0], ...(rows[row]?.slice(1 + 3 * index, 4 + 3 * index) ?? [])];
+      expect(t).toBeCloseTo(at, 3);
+      expect([x, y, z]).toEqual([expect.closeTo(left, 3), expect.closeTo(up, 3), 0]);
+      expect(Math.cos(2 * Math.atan2(sine, cosine) - heading)).toBeCloseTo(1, 3);
+    }
+  }
+  const times = poses('truth.tum').map(([t = NaN]) => t);
+  expect(times).toEqual([...times].sort((one, other) => one - other));
+  for (const line of text('events.jsonl').trimEnd().split('\n')) expect(JSON.parse(line)).toHaveProperty('kind');
+  expect(text('network.g2o')).toMatch(/^VERTEX_SE2 /m);
   expect(JSON.parse(text('report.json'))).toHaveProperty('format');
 
   const surfaces = await bench.surfaces();

@@ -52,4 +52,16 @@ test('the picture is a PNG of both views', async ({ page }) => {
   expect(name).toMatch(/\.png$/);
   expect(bytes.subarray(1, 4).toString()).toBe('PNG');
   expect(bytes.readUInt32BE(16)).toBeGreaterThan(bytes.readUInt32BE(20));
+  const colours = await page.evaluate(async (encoded) => {
+    const picture = await createImageBitmap(await (await fetch(`data:image/png;base64,${encoded}`)).blob());
+    const halves = [0, picture.width / 2].map((left) => {
+      const context = new OffscreenCanvas(picture.width / 2, picture.height).getContext('2d');
+      context?.drawImage(picture, -left, 0);
+      const { data } = context?.getImageData(0, 0, picture.width / 2, picture.height) ?? { data: new Uint8ClampedArray() };
+      return new Set(new Uint32Array(data.buffer)).size;
+    });
+    return halves;
+  }, bytes.toString('base64'));
+  // A drawing in each half, smooth lines and all.
+  for (const count of colours) expect(count).toBeGreaterThan(50);
 });

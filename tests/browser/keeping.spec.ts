@@ -98,6 +98,21 @@ for (const [how, end] of ends) {
   });
 }
 
+test('after the worker was killed and the page reloaded, the run is offered again, complete', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  await bench.takeOver();
+  await drive(page);
+  const told = await commands(bench);
+  const worker = page.workers().find((worker) => worker.url().startsWith('http'));
+  await worker?.evaluate(() => self.close()).catch(() => undefined);
+  await expect(page.getByRole('alert')).toContainText('taken up where it was');
+  await page.reload();
+  await goOn(page).click();
+  await expect(goOn(page)).toBeHidden();
+  expect(await commands(bench)).toEqual(told);
+});
+
 test('a worker that ends again at once is not given the same run again', async ({ page }) => {
   const bench = new BenchPage(page);
   await bench.open();

@@ -16,7 +16,7 @@ test.describe('in a browser that prefers German', () => {
     await expect(page.getByRole('heading', { name: 'So benutzen Sie das Labor' })).toBeVisible();
   });
 
-  test('nothing but the names of programs and what the robot says is left in English', async ({ page }) => {
+  test('nothing but the names of programs is left in English', async ({ page }) => {
     await page.goto('./');
     await expect(page.getByRole('button', { name: 'Nach Hause', exact: true })).toBeEnabled();
     const text = await page.evaluate(() => {

@@ -9,7 +9,7 @@ import { BenchPage, roomLog } from './bench';
 const SURFACES = 5000;
 /** So often the page is opened to see how long that blocks it. */
 const OPENINGS = 7;
-/** By then it has opened, milliseconds. */
+/** By then it has opened, milliseconds; what the service worker fetches later falls into the time of its use. */
 const OPENED = 2500;
 /** Shares of a run that are gone back to. */
 const SCRUBBED = [0.02, 0.1, 0.21];

@@ -13,10 +13,10 @@ pub(crate) fn run(project: &Project, options: &DemoOptions) -> Result<(), Failur
         return Ok(());
     }
     // Looked for before the build: a port that is in use shows at once.
-    let port = port::free(options.port)?;
+    port::free(options.port)?;
     build(project)?;
-    println!("\nCogmap opens in a browser at the address below (Ctrl-C stops serving it)");
-    page::serve(port)
+    println!("\nOpen the address below in a browser (Ctrl-C stops serving it)");
+    page::serve(port::free(options.port)?)
 }
 
 fn build(project: &Project) -> Result<(), Failure> {

@@ -82,7 +82,7 @@ export class Pointing {
     if (passing && !this.pinned) await this.point(passing.view, { ...passing, reach: REACH.fine });
   }
 
-  /** What passes under a mouse that stands still does not come between a click and its card. */
+  /** Keeps what lies there, from before it is known: what passes under a mouse that stands still does not come between. */
   private async keep(view: View, to: Target): Promise<void> {
     this.pinned = true;
     await this.point(view, to);

@@ -1,7 +1,7 @@
 import { transfer, type Remote } from 'comlink';
 import type { Look } from '../wasm/cogmap_wasm';
 import type { Bench } from '../worker/bench';
-import type { Layers, Legend, View } from '../worker/protocol';
+import type { Layers, LegendWords, View } from '../worker/protocol';
 
 /** What surfaces can be coloured by. */
 export const COLOURS: Layers['colours'][] = ['view', 'asr', 'age'];
@@ -19,7 +19,7 @@ export class Showing {
   /** Whether the world is shown beside the memories. */
   world = $state(true);
   private look: Look = 'light';
-  private legend: Legend = {};
+  private legend: LegendWords = {};
 
   constructor(private readonly bench: () => Remote<Bench>) {}
 
@@ -73,7 +73,7 @@ export class Showing {
   }
 
   /** What the legends say in the language that is spoken. */
-  setLegend(legend: Legend): void {
+  setLegend(legend: LegendWords): void {
     this.legend = legend;
     void this.bench().setLegend(legend);
   }

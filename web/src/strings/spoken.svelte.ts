@@ -16,7 +16,7 @@ const CATALOGUES: Record<Exclude<Language, 'en'>, () => Promise<Strings>> = {
   es: async () => (await import('./es')).es,
 };
 
-/** What stands in files, and what is wrong with them. */
+/** The language of what stands in files, and of what is wrong with them. */
 export const ENGINE_LANGUAGE = 'en';
 
 const KEY = 'cogmap-language';

@@ -27,6 +27,9 @@ export function said(clauses: Clause[], reasons: Record<string, string> = {}): s
   return clauses.map(({ pattern, numbers }) => filled(reasons[pattern] ?? pattern, numbers)).join('; ');
 }
 
+/** A sentence, as it begins after a colon where that takes a capital. */
+export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
 /** A pattern with the numbers, each with its decimals, in the places of its `{}`. */
 function filled(pattern: string, numbers: Clause['numbers']): string {
   const [first, ...rest] = pattern.split('{}');

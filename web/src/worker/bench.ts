@@ -5,7 +5,7 @@ import * as engine from './engine';
 import { hold } from './lifeline';
 import { toggleMapper, trust } from './minds';
 import { Player } from './player';
-import type { Brought, Choice, Legend, Moment, Notice, Offer, Pace, Resumable, Resumed, Saved, View } from './protocol';
+import type { Brought, Choice, LegendWords, Moment, Notice, Offer, Pace, Resumable, Resumed, Saved, View } from './protocol';
 import { archive, drawingOf, mapOf, sessionOf, tableOf } from './saving';
 import { follow, reach } from './sending';
 import { Telling } from './telling';
@@ -216,7 +216,7 @@ export class Bench {
     this.player.paint();
   }
 
-  setLegend = (legend: Legend): void => this.player.setLegend(legend);
+  setLegend = (legend: LegendWords): void => this.player.setLegend(legend);
 
   show(layers: Layers): void {
     this.layers = layers;

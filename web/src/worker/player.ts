@@ -3,7 +3,7 @@ import { Clock } from './clock';
 import { Easel } from './easel';
 import * as engine from './engine';
 import { Keeper } from './keeper';
-import type { Legend, Moment, Notice, Pace } from './protocol';
+import type { LegendWords, Moment, Notice, Pace } from './protocol';
 import { momentOf } from './saving';
 
 /** How often the page is told what happens, milliseconds. */
@@ -21,7 +21,7 @@ export class Player {
   asked = 0;
   readonly easel = new Easel();
   /** What the legends say, by what the engine says. */
-  private legend: Legend = {};
+  private legend: LegendWords | undefined;
   private readonly clock = new Clock((elapsed, now) => this.turn(elapsed, now));
   private readonly keeper = new Keeper(() => (this.resuming ? undefined : this.laboratory && momentOf(this.laboratory)));
   private listen: (notice: Notice) => void = () => undefined;
@@ -48,17 +48,16 @@ export class Player {
     this.laboratory = laboratory;
     this.source = laboratory.status().source;
     for (const [view, { width, height }] of this.easel.views) laboratory.resize(view, width, height);
-    if (!isEmpty(this.legend)) word(laboratory, this.legend);
+    if (this.legend) word(laboratory, this.legend);
     this.play(true);
     return left;
   }
 
   /** Words the legends, which a laboratory that is told nothing has in English. */
-  setLegend(legend: Legend): void {
-    const asItIs = isEmpty(legend) && isEmpty(this.legend);
+  setLegend(legend: LegendWords): void {
+    if (!this.legend && Object.keys(legend).length === 0) return;
     this.legend = legend;
-    if (asItIs || !this.laboratory) return;
-    word(this.laboratory, legend);
+    if (this.laboratory) word(this.laboratory, legend);
     this.paint();
   }
 
@@ -150,7 +149,5 @@ export class Player {
   }
 }
 
-const isEmpty = (legend: Legend): boolean => Object.keys(legend).length === 0;
-
-const word = (laboratory: Laboratory, legend: Legend): void =>
+const word = (laboratory: Laboratory, legend: LegendWords): void =>
   laboratory.word_legend(Object.keys(legend), Object.values(legend));

@@ -24,7 +24,7 @@ export interface Choice {
 }
 
 /** What legends say in another language, by what they say in English. */
-export type Legend = Readonly<Record<string, string>>;
+export type LegendWords = Readonly<Record<string, string>>;
 
 /** A file that somebody brought. */
 export interface Brought {

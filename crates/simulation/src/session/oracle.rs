@@ -72,7 +72,9 @@ impl Oracle {
             _ if distance <= ARRIVED => {
                 plain(step, Act::Arrived, say("the start is {} m away", &[(distance, 2)]))
             }
-            Err(problem) => plain(step, Act::Stuck, Sentence::from(format!("no way leads back: {problem}"))),
+            Err(problem) => {
+                plain(step, Act::Stuck, say("no way leads back", &[]).then(Sentence::from(problem)))
+            }
             Ok(_) => plain(step, Act::Stuck, say("something stands in the way", &[])),
         };
         if begins {

@@ -24,5 +24,6 @@ pub(super) fn test(project: &Project) -> Result<(), Failure> {
         .variable("CHROMIUM_PATH", browser.chrome)
         .variable("COGMAP_BIN", project.target.join(command))
         .variable("COGMAP_PORT", port::free(0)?.to_string())
+        .variable("COGMAP_URL", "")
         .run()
 }

@@ -1,5 +1,5 @@
 import type { Clause, Followed, HomingStatus } from '../../wasm/cogmap_wasm';
-import { moment, number, said, whole } from '../words';
+import { capital, moment, number, said, whole } from '../words';
 import { reasons } from './reasons';
 import { worlds } from './worlds';
 
@@ -56,7 +56,7 @@ export const controls = {
     goHint: 'Lässt den Roboter allein dorthin zurückfinden, wo er losfuhr',
     strategy: (name: string) => `Wie er den Weg findet: ${name}`,
     about: (name: string) => STRATEGIES[name] ?? `Wie ${name} es macht`,
-    because: (clauses: Clause[]) => `${said(clauses, reasons)}.`,
+    because: (clauses: Clause[]) => `${capital(said(clauses, reasons))}.`,
     looking: 'Er soll nach Hause; zuerst hält er an und sieht sich um.',
     leads: {
       direction: 'Nach seinem Richtungssinn:',

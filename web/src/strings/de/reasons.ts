@@ -9,9 +9,9 @@ export const reasons: Reasons = {
   '{} % of what is behind the exit belongs to ASR {}: the robot is back':
     '{} % von dem, was hinter dem Ausgang liegt, gehören zu ASR {}: Der Roboter ist zurück',
   '{} m wide and wider on both sides of it along the way':
-    '{} m breit und auf dem Weg davor und dahinter breiter',
+    'mit {} m schmaler als der Weg davor und dahinter',
   'walls go on beside {} of its jambs':
-    'neben {} seiner Pfosten gehen Wände weiter',
+    'auf {} seiner beiden Seiten geht die Wand weiter',
   'something is close before it, so it stands still and looks':
     'dicht vor ihm ist etwas, also bleibt er stehen und schaut',
   'first it turns {}° right and looks':
@@ -19,9 +19,9 @@ export const reasons: Reasons = {
   'first it turns {}° left and looks':
     'erst dreht er sich {}° nach links und schaut',
   'it goes only {} cm on, for something is near':
-    'er fährt nur {} cm weiter, denn etwas ist nah',
+    'er fährt nur {} cm weiter, denn es ist etwas in der Nähe',
   'it goes only {} m on, for something is near':
-    'er fährt nur {} m weiter, denn etwas ist nah',
+    'er fährt nur {} m weiter, denn es ist etwas in der Nähe',
   'it goes {} cm on':
     'er fährt {} cm weiter',
   'it goes {} m on':
@@ -35,13 +35,13 @@ export const reasons: Reasons = {
   'it turns {}° left and goes {} m on':
     'er dreht sich {}° nach links und fährt {} m weiter',
   'the straight way home, {} m, is seen to be free':
-    'der gerade Weg nach Hause, {} m, ist zu sehen und frei',
+    'der gerade Weg nach Hause, {} m, ist erkennbar frei',
   'of the straight way home, {} m, the robot sees {} m to be free and hopes for the rest':
-    'vom geraden Weg nach Hause, {} m, sieht der Roboter {} m frei und hofft auf den Rest',
+    'vom geraden Weg nach Hause, {} m, sieht der Roboter {} m frei und hofft, dass es auch der Rest ist',
   'one way on is open: {} m that the robot sees to be free, then it hopes for {} m straight home, {} m more than the beeline':
-    'ein Weg ist offen: {} m, die der Roboter frei sieht, dann hofft er auf {} m geradewegs nach Hause, {} m mehr als die Luftlinie',
+    'ein Weg ist offen: {} m, die der Roboter frei sieht, dann hofft er auf weitere {} m geradewegs nach Hause, insgesamt {} m mehr als die Luftlinie',
   'of {} ways on that are open this one makes the straightest way home: {} m that the robot sees to be free, then it hopes for {} m straight home, {} m more than the beeline':
-    'von {} offenen Wegen führt dieser am geradesten nach Hause: {} m, die der Roboter frei sieht, dann hofft er auf {} m geradewegs nach Hause, {} m mehr als die Luftlinie',
+    'von {} offenen Wegen führt dieser am geradesten nach Hause: {} m, die der Roboter frei sieht, dann hofft er auf weitere {} m geradewegs nach Hause, insgesamt {} m mehr als die Luftlinie',
   'the robot has lost the thread: nothing that it knows links this place with home':
     'der Roboter hat den Faden verloren: Nichts, was er weiß, verbindet diesen Ort mit dem Zuhause',
   'the way that seemed to lead home is closed, now that the robot sees it':
@@ -51,7 +51,7 @@ export const reasons: Reasons = {
   'no free way leads on toward home':
     'kein freier Weg führt weiter Richtung Zuhause',
   'the last decisions led nowhere':
-    'die letzten Entscheidungen führten nirgendwohin',
+    'die letzten Entscheidungen führten zu nichts',
   'no way on, and the way that the robot came is blocked too':
     'es geht nicht weiter, und auch der Weg, den der Roboter kam, ist versperrt',
   'back along the way that the robot came, until a way on toward home comes into sight: the next of {} waypoints is {} m away':
@@ -61,7 +61,7 @@ export const reasons: Reasons = {
   'home is believed to be {} m away and no way leads nearer':
     'das Zuhause ist vermutlich {} m entfernt, und kein Weg führt näher heran',
   'somebody is walking by, so it waits':
-    'jemand geht vorbei, also wartet er',
+    'jemand geht vorbei, also wartet der Roboter',
   'the robot has lost its way: nothing that it sees tells it where home is':
     'der Roboter hat sich verirrt: Nichts, was er sieht, sagt ihm, wo das Zuhause ist',
   'home itself cannot be reached: {} m is as near as the robot gets':
@@ -73,7 +73,7 @@ export const reasons: Reasons = {
   'plans have got the robot nowhere, so it goes by its eyes and the way that it came alone: {} m home':
     'Pläne haben den Roboter nicht weitergebracht, also verlässt er sich allein auf seine Augen und den Weg, den er kam: {} m nach Hause',
   'the best way home that the robot can think of is {} m long, {} m of it through places that it has not seen free, and through where it saw a wall long ago, which it hopes is gone':
-    'der beste Weg nach Hause, der dem Roboter einfällt, ist {} m lang, davon {} m, die er nicht frei gesehen hat, und durch eine Wand, die er vor langem sah und die hoffentlich weg ist',
+    'der beste Weg nach Hause, der dem Roboter einfällt, ist {} m lang, davon {} m, die er nicht frei gesehen hat, und führt dort hindurch, wo er vor Langem eine Wand sah, die hoffentlich weg ist',
   'the best way home that the robot can think of is {} m long, {} m of it through places that it has not seen but hopes to be free':
     'der beste Weg nach Hause, der dem Roboter einfällt, ist {} m lang, davon {} m, die er nicht gesehen hat, aber für frei hält',
   'the best way home that the robot can think of is {} m long, all of it through places that it has seen free':
@@ -83,13 +83,13 @@ export const reasons: Reasons = {
   'the robot has not come on for {} decisions':
     'der Roboter ist {} Entscheidungen lang nicht vorangekommen',
   'the fail-safe has been called {} times in vain':
-    'die Absicherung wurde {} Mal vergeblich gerufen',
+    'die Absicherung hat {} Mal vergeblich eingegriffen',
   'the robot has gone many times its way out without coming home':
     'der Roboter ist ein Vielfaches seines Hinwegs gefahren, ohne nach Hause zu kommen',
   'every way home that the robot knows or can think of is closed':
     'jeder Weg nach Hause, den der Roboter kennt oder der ihm einfällt, ist zu',
   'what the robot remembers leaves no way: it trusts its eyes alone':
-    'was der Roboter im Gedächtnis hat, lässt keinen Weg: Er traut nur seinen Augen',
+    'was der Roboter im Gedächtnis hat, lässt keinen Weg offen: Er traut nur seinen Augen',
   'every way home that the robot knows or can think of seems closed':
     'jeder Weg nach Hause, den der Roboter kennt oder der ihm einfällt, scheint zu',
   'no remembered way leads home':
@@ -119,7 +119,7 @@ export const reasons: Reasons = {
   'something stands in the way':
     'etwas steht im Weg',
   'after {} decisions the robot is not home':
-    'nach {} Entscheidungen ist der Roboter nicht zu Hause',
+    'nach {} Entscheidungen ist der Roboter noch nicht zu Hause',
   'the robot has not seen anything yet':
     'der Roboter hat noch nichts gesehen',
 };

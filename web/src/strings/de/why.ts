@@ -1,5 +1,5 @@
 import type { PlacementKind, StageReport } from '../../wasm/cogmap_wasm';
-import { count, number, said } from '../words';
+import { capital, count, number, said } from '../words';
 import { reasons } from './reasons';
 
 /** Why a memory is as it is. */
@@ -117,15 +117,15 @@ function stageSentence(stage: StageReport, mapper: string): string {
     case 'wideness':
       return `Von links nach rechts ist es hier ${number(stage.here, 2)} m weit. Auf dem Weg seit der letzten Ansicht war es an der engsten Stelle ${number(stage.least, 2)} m, nach ${count(stage.samples, 'Messung', 'Messungen')}.`;
     case 'exit':
-      return `Der Roboter fuhr durch Ausgang ${stage.exit}${stage.width === undefined ? '' : `, ${number(stage.width, 2)} m breit`}: ${said(stage.why, reasons)}.`;
+      return `Der Roboter fuhr durch Ausgang ${stage.exit}${stage.width === undefined ? '' : `, ${number(stage.width, 2)} m breit`}: ${capital(said(stage.why, reasons))}.`;
     case 'new_asr':
       return `Hinter Ausgang ${stage.exit} wurde ein neuer lokaler Raum angelegt (ASR ${stage.asr}); ${count(stage.moved, 'Fläche, die durch den Ausgang gesehen wurde, gehört', 'Flächen, die durch den Ausgang gesehen wurden, gehören')} nun zu ihm.`;
     case 'loop_closed':
-      return `Eine Schleife ist geschlossen: ${Math.round(100 * stage.overlap)} % von ${stage.instead_of === undefined ? 'dem, was hinter dem Ausgang liegt,' : `ASR ${stage.instead_of}`} liegen in ASR ${stage.asr}, also ist es derselbe: ${said(stage.why, reasons)}. Nur das Netz ändert sich; die Karte bleibt.`;
+      return `Eine Schleife ist geschlossen: ${Math.round(100 * stage.overlap)} % von ${stage.instead_of === undefined ? 'dem, was hinter dem Ausgang liegt,' : `ASR ${stage.instead_of}`} liegen in ASR ${stage.asr}, also ist es derselbe: ${capital(said(stage.why, reasons))}. Nur das Netz ändert sich; die Karte bleibt.`;
     case 'options':
       return `Auf dem Heimweg wägt der Roboter ${count(stage.options.length, 'Weg', 'Wege')} ab, die er frei sieht.`;
     case 'choice':
-      return `${stage.option === undefined ? 'Er entschied' : `Er nahm Weg ${stage.option}`} nach Ansicht ${stage.step + 1}: ${said(stage.why, reasons)}.`;
+      return `${stage.option === undefined ? 'Er entschied' : `Er nahm Weg ${stage.option}`} nach Ansicht ${stage.step + 1}: ${capital(said(stage.why, reasons))}.`;
     case 'forgotten': {
       const map = `Die Karte ließ ${count(stage.by_map, 'Fläche', 'Flächen')} los, weil der Roboter in andere Räume weitergezogen ist.`;
       const home = `Auf dem Heimweg traut der Roboter ${count(stage.by_navigation, 'Fläche', 'Flächen')} nicht, die er zuletzt nicht gesehen hat; die Karte behält sie.`;

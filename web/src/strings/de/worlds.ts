@@ -1,9 +1,9 @@
 /** What is worth knowing about the page’s buildings, in German. */
 export const worlds: Readonly<Record<string, string>> = {
   'around-a-corner':
-    'Ein Büro, das Schränke, Stellwände und Kartons bis auf einen Durchgang im Osten in zwei Teile teilen. Die Fahrt führt 10 m um diese Ecke; von dem, was in der Mitte steht, sieht der Roboter nur die eine Seite, und auch die nur zum Teil.',
+    'Ein Büro, durch Schränke, Stellwände und Kartons bis auf einen Durchgang im Osten zweigeteilt. Die Fahrt führt 10 m um diese Ecke; von dem, was in der Mitte steht, sieht der Roboter nur die eine Seite, und auch die nur zum Teil.',
   'box-course':
-    'Eine Halle und ein Lager, dazwischen ein Hals voller Reihen von Kartons: Die Fahrt ist 50 m lang, und der einzige Weg nach Hause windet sich durch die Kartons.',
+    'Eine Halle und ein Lager, dazwischen eine Engstelle voller Kistenreihen: Die Fahrt ist 50 m lang, und der einzige Weg nach Hause windet sich durch die Kisten.',
   'environment-a':
     'Ein Gebäudeflügel mit großen Räumen und langen Fluren um zwei Höfe. Die Runde ist 120 m lang, hat 98 Schritte und endet, wo sie beginnt. Der Flur links besteht aus 15,5 m glatter Wand: Auf dem Weg hindurch findet der Laser, der 8 m weit sieht, kein Ende.',
   'environment-b':
@@ -19,7 +19,7 @@ export const worlds: Readonly<Record<string, string>> = {
   office:
     'Sechs Räume entlang eines Flurs, mit Tischen, Stühlen, Kartons und einem Besprechungsraum, der zwei Türen hat. Die Fahrt ist 15 m lang und hat 34 Schritte; die Schleife kommt durch die zweite Tür in den Flur zurück.',
   shortcut:
-    'Zwei Büros neben einem Flur und zwischen ihnen eine Tür, die die Fahrt nicht benutzt: 30 m hinaus, und durch diese Tür ein Fünftel davon nach Hause.',
+    'Zwei Büros neben einem Flur und zwischen ihnen eine Tür, die die Fahrt nicht benutzt: 30 m hin, und durch diese Tür ein Fünftel davon nach Hause.',
   'small-office':
     'Ein Raum mit Tischen und ein Archiv hinter einer offenen Tür: klein genug, um zuzusehen, wie jede Fläche wiedererkannt wird. Die Fahrt ist 6 m lang und hat 8 Schritte.',
   tour:

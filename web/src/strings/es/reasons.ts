@@ -9,9 +9,9 @@ export const reasons: Reasons = {
   '{} % of what is behind the exit belongs to ASR {}: the robot is back':
     'el {} % de lo que hay tras la salida pertenece a ASR {}: el robot ha vuelto',
   '{} m wide and wider on both sides of it along the way':
-    '{} m de ancho, y el camino es más ancho antes y después',
+    'con {} m, más estrecha que el camino antes y después',
   'walls go on beside {} of its jambs':
-    'junto a {} de sus jambas siguen paredes',
+    'la pared continúa junto a {} de sus jambas',
   'something is close before it, so it stands still and looks':
     'tiene algo muy cerca delante, así que se para y mira',
   'first it turns {}° right and looks':
@@ -37,13 +37,13 @@ export const reasons: Reasons = {
   'the straight way home, {} m, is seen to be free':
     'el camino recto a casa, de {} m, se ve libre',
   'of the straight way home, {} m, the robot sees {} m to be free and hopes for the rest':
-    'del camino recto a casa, de {} m, el robot ve libres {} m y confía en el resto',
+    'del camino recto a casa, de {} m, el robot ve libres {} m y confía en que el resto también lo esté',
   'one way on is open: {} m that the robot sees to be free, then it hopes for {} m straight home, {} m more than the beeline':
-    'hay un camino abierto: {} m que el robot ve libres, y después confía en {} m en línea recta a casa, {} m más que la línea recta desde aquí',
+    'hay un camino abierto: {} m que el robot ve libres, y después confía en otros {} m en línea recta hasta casa, en total {} m más que la línea recta desde aquí',
   'of {} ways on that are open this one makes the straightest way home: {} m that the robot sees to be free, then it hopes for {} m straight home, {} m more than the beeline':
-    'de {} caminos abiertos, este es el más recto a casa: {} m que el robot ve libres, y después confía en {} m en línea recta a casa, {} m más que la línea recta desde aquí',
+    'de {} caminos abiertos, este es el más recto a casa: {} m que el robot ve libres, y después confía en otros {} m en línea recta hasta casa, en total {} m más que la línea recta desde aquí',
   'the robot has lost the thread: nothing that it knows links this place with home':
-    'el robot ha perdido el hilo: nada de lo que sabe une este lugar con casa',
+    'el robot ha perdido el hilo: nada de lo que sabe une este lugar con su casa',
   'the way that seemed to lead home is closed, now that the robot sees it':
     'el camino que parecía llevar a casa está cerrado, ahora que el robot lo ve',
   'there is a way on toward home again, so the remembered route is left':
@@ -59,13 +59,13 @@ export const reasons: Reasons = {
   'no way on, and no remembered route leads home':
     'no hay por dónde seguir, y ninguna ruta recordada lleva a casa',
   'home is believed to be {} m away and no way leads nearer':
-    'cree que casa está a {} m, y ningún camino lleva más cerca',
+    'cree que su casa está a {} m, y ningún camino lleva más cerca',
   'somebody is walking by, so it waits':
     'alguien pasa caminando, así que espera',
   'the robot has lost its way: nothing that it sees tells it where home is':
-    'el robot se ha perdido: nada de lo que ve le dice dónde está casa',
+    'el robot se ha perdido: nada de lo que ve le dice dónde está su casa',
   'home itself cannot be reached: {} m is as near as the robot gets':
-    'no se puede llegar a casa misma: el robot no puede acercarse a menos de {} m',
+    'no se puede llegar a la propia casa: el robot no puede acercarse a menos de {} m',
   'the way that the robot had in mind is closed':
     'el camino que el robot tenía en mente está cerrado',
   'a shorter way has come to light':
@@ -75,7 +75,7 @@ export const reasons: Reasons = {
   'the best way home that the robot can think of is {} m long, {} m of it through places that it has not seen free, and through where it saw a wall long ago, which it hopes is gone':
     'el mejor camino a casa que se le ocurre al robot mide {} m, {} m de ellos por sitios que no ha visto libres, y pasa por donde hace tiempo vio una pared que espera que ya no esté',
   'the best way home that the robot can think of is {} m long, {} m of it through places that it has not seen but hopes to be free':
-    'el mejor camino a casa que se le ocurre al robot mide {} m, {} m de ellos por sitios que no ha visto pero espera que estén libres',
+    'el mejor camino a casa que se le ocurre al robot mide {} m, {} m de ellos por sitios que no ha visto, pero que espera que estén libres',
   'the best way home that the robot can think of is {} m long, all of it through places that it has seen free':
     'el mejor camino a casa que se le ocurre al robot mide {} m, y lo ha visto libre entero',
   'the robot has come on again and plans as before':
@@ -85,7 +85,7 @@ export const reasons: Reasons = {
   'the fail-safe has been called {} times in vain':
     'se ha recurrido {} veces en vano al modo de seguridad',
   'the robot has gone many times its way out without coming home':
-    'el robot ha recorrido varias veces el camino de ida sin llegar a casa',
+    'el robot ha recorrido varias veces la longitud del camino de ida sin llegar a casa',
   'every way home that the robot knows or can think of is closed':
     'todos los caminos a casa que el robot conoce o se imagina están cerrados',
   'what the robot remembers leaves no way: it trusts its eyes alone':
@@ -99,13 +99,13 @@ export const reasons: Reasons = {
   'the robot goes back the way that it came: the next of {} waypoints is {} m away':
     'el robot vuelve por donde vino: el siguiente de {} puntos de paso está a {} m',
   'home is believed to be {} m away, which is near enough to stop':
-    'cree que casa está a {} m, lo bastante cerca para parar',
+    'cree que su casa está a {} m, lo bastante cerca para parar',
   'the robot does not know where home is':
-    'el robot no sabe dónde está casa',
+    'el robot no sabe dónde está su casa',
   'home is {} m away, and the robot sees nothing in between':
-    'casa está a {} m, y el robot no ve nada en medio',
+    'su casa está a {} m, y el robot no ve nada en medio',
   'home is {} m away with something in between: the robot goes for the end of it that makes the shortest way, {} m':
-    'casa está a {} m y hay algo en medio: el robot va hacia el extremo que da el camino más corto, de {} m',
+    'su casa está a {} m y hay algo en medio: el robot va hacia el extremo que da el camino más corto, de {} m',
   'the robot sees a place that is nearer to home than all that it went along, and goes there':
     'el robot ve un sitio más cerca de casa que todo lo que ha bordeado, y va hacia él',
   'no way on leads nearer to home, so the robot goes along what is in its way until it sees a place that is less than {} m from home':

@@ -1,9 +1,9 @@
 /** What is worth knowing about the page’s buildings, in Spanish. */
 export const worlds: Readonly<Record<string, string>> = {
   'around-a-corner':
-    'Una oficina que armarios, biombos y cartones dividen en dos, salvo un paso al este. El recorrido da la vuelta a esa esquina en 10 m; de lo que hay en medio el robot solo ve un lado, y aun ese en parte.',
+    'Una oficina que armarios, biombos y cajas dividen en dos, salvo un paso al este. El recorrido dobla esa esquina en 10 m; de lo que hay en medio el robot solo ve un lado, y aun ese en parte.',
   'box-course':
-    'Una sala y un almacén, y entre ellos un cuello lleno de filas de cajas de cartón: el recorrido es de 50 m, y el único camino a casa serpentea entre las cajas.',
+    'Una sala y un almacén, y entre ellos un estrechamiento lleno de filas de cajas de cartón: el recorrido es de 50 m, y el único camino a casa serpentea entre las cajas.',
   'environment-a':
     'Un ala con salas grandes y pasillos largos en torno a dos patios. La vuelta es de 120 m en 98 pasos y acaba donde empieza. El pasillo de la izquierda son 15,5 m de pared lisa: al recorrerlo, el láser, que ve 8 m, no encuentra ningún final.',
   'environment-b':
@@ -17,7 +17,7 @@ export const worlds: Readonly<Record<string, string>> = {
   'no-passage':
     'Un solo espacio cuya anchura cambia un poco por el camino: nada en él es estrecho, así que nadie lo llamaría dos lugares. El mismo recorrido con un paso estrecho está en «Paso estrecho».',
   office:
-    'Seis salas a lo largo de un pasillo, con mesas, sillas, cartones y una sala de reuniones que tiene dos puertas. El recorrido es de 15 m en 34 pasos; el bucle vuelve al pasillo por la segunda puerta.',
+    'Seis salas a lo largo de un pasillo, con mesas, sillas, cajas y una sala de reuniones que tiene dos puertas. El recorrido es de 15 m en 34 pasos; el bucle vuelve al pasillo por la segunda puerta.',
   shortcut:
     'Dos oficinas junto a un pasillo, y entre ellas una puerta que el recorrido no usa: 30 m de ida, y por esa puerta la quinta parte hasta casa.',
   'small-office':
