@@ -58,6 +58,7 @@ export type Pattern =
   | 'one who sees the building leads the way: the start is {} m off'
   | 'the start is {} m away'
   | 'something stands in the way'
+  | 'no way leads back'
   | 'after {} decisions the robot is not home'
   | 'the robot has not seen anything yet';
 

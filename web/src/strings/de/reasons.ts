@@ -116,6 +116,8 @@ export const reasons: Reasons = {
     'jemand, der das Gebäude sieht, weist den Weg: Der Start ist {} m entfernt',
   'the start is {} m away':
     'der Start ist {} m entfernt',
+  'no way leads back':
+    'kein Weg führt zurück',
   'something stands in the way':
     'etwas steht im Weg',
   'after {} decisions the robot is not home':

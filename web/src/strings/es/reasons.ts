@@ -116,6 +116,8 @@ export const reasons: Reasons = {
     'alguien que ve el edificio marca el camino: el comienzo está a {} m',
   'the start is {} m away':
     'el comienzo está a {} m',
+  'no way leads back':
+    'ningún camino lleva de vuelta',
   'something stands in the way':
     'hay algo en el camino',
   'after {} decisions the robot is not home':
