@@ -52,7 +52,7 @@ export const controls = {
   homing: {
     title: 'Heimweg',
     go: 'Nach Hause',
-    going: 'Auf dem Heimweg …',
+    going: 'Unterwegs …',
     goHint: 'Lässt den Roboter allein dorthin zurückfinden, wo er losfuhr',
     strategy: (name: string) => `Wie er den Weg findet: ${name}`,
     about: (name: string) => STRATEGIES[name] ?? `Wie ${name} es macht`,

@@ -52,7 +52,7 @@ export const controls = {
   homing: {
     title: 'Camino a casa',
     go: 'Ir a casa',
-    going: 'Camino de casa…',
+    going: 'De camino…',
     goHint: 'Deja que el robot encuentre solo el camino de vuelta a donde empezó',
     strategy: (name: string) => `Cómo encuentra el camino: ${name}`,
     about: (name: string) => STRATEGIES[name] ?? `Como lo hace ${name}`,
