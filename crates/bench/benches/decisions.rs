@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use cogmap_bench::thinking::{Thinking, in_a_designed_building, on_a_generated_floor};
-use cogmap_simulation::Setting;
+use cogmap_simulation::{Session, Setting};
 
 /// The designed building of 90 m round.
 const LARGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../worlds/environment-a.world.json");
@@ -27,14 +27,14 @@ fn main() -> Result<(), String> {
     let words: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
     let wanted = |name: &str| words.is_empty() || words.iter().any(|word| name.contains(word));
     for setting in Setting::ALL.into_iter().filter(|setting| wanted(setting.name())) {
-        let ways: Vec<_> = FLOORS.filter_map(|seed| on_a_generated_floor(setting, seed)).collect();
-        all.add(print(setting.name(), &ways));
+        let starts: Vec<_> = FLOORS.filter_map(|seed| on_a_generated_floor(setting, seed)).collect();
+        all.add(print(setting.name(), &starts));
     }
     for share in SHARES {
         let name = format!("environment A, {:.0} %", 100.0 * share);
         if wanted(&name) {
-            let ways = WAYS.map(|seed| in_a_designed_building(Path::new(LARGE), share, seed));
-            all.add(print(&name, &ways.collect::<Result<Vec<_>, _>>()?));
+            let starts = WAYS.map(|seed| in_a_designed_building(Path::new(LARGE), share, seed));
+            all.add(print(&name, &starts.collect::<Result<Vec<_>, _>>()?));
         }
     }
     println!(
@@ -45,10 +45,9 @@ fn main() -> Result<(), String> {
     Ok(())
 }
 
-/// Prints what ways home of one kind took together.
-fn print(name: &str, ways: &[Thinking]) -> Thinking {
-    let mut sum = Thinking::default();
-    ways.iter().for_each(|&way| sum.add(way));
-    println!("{name:<24}{:>10}{:>12}{:>9.2}{:>12.1}", ways.len(), sum.decisions, sum.mean(), sum.slowest);
-    sum
+/// Prints how long decisions of ways home of one kind take together.
+fn print(name: &str, starts: &[Session]) -> Thinking {
+    let all = Thinking::of(starts);
+    println!("{name:<24}{:>10}{:>12}{:>9.2}{:>12.1}", starts.len(), all.decisions, all.mean(), all.slowest);
+    all
 }

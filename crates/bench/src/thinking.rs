@@ -7,7 +7,8 @@ use cogmap_simulation::{Building, Episode, Session, Setting, World};
 
 use crate::homing::{TICKS, at_the_command};
 
-/// Each way home is gone so often, and of each decision the fastest time counts: what else the machine does only adds.
+/// All ways home are gone so often, and of each decision the fastest time counts: what else the machine does only
+/// adds, and one that is slow for a while is so in one round.
 const ROUNDS: usize = 3;
 
 /// How long decisions took, the scan and the mapper's step before each included.
@@ -22,6 +23,19 @@ pub struct Thinking {
 }
 
 impl Thinking {
+    /// Lets the robots go home.
+    #[must_use]
+    pub fn of(starts: &[Session]) -> Self {
+        let round = || -> Vec<f64> { starts.iter().flat_map(|start| times(start.forked())).collect() };
+        let fastest =
+            (1..ROUNDS).fold(round(), |best, _| best.iter().zip(round()).map(|(a, b)| a.min(b)).collect());
+        Self {
+            decisions: fastest.len(),
+            total: fastest.iter().sum(),
+            slowest: fastest.iter().copied().fold(0.0, f64::max),
+        }
+    }
+
     /// Adds the decisions of another way home.
     pub fn add(&mut self, other: Self) {
         self.decisions += other.decisions;
@@ -38,25 +52,25 @@ impl Thinking {
     }
 }
 
-/// The way home on the generated floor of that seed; `None` where it has no place for that setting.
+/// A robot that has just been told to go home on the generated floor of that seed; `None` where it has no place for that setting.
 #[must_use]
-pub fn on_a_generated_floor(setting: Setting, seed: u64) -> Option<Thinking> {
-    way_home(&Building::generate(seed), 1.0, setting, seed)
+pub fn on_a_generated_floor(setting: Setting, seed: u64) -> Option<Session> {
+    told_to_go_home(&Building::generate(seed), 1.0, setting, seed)
 }
 
-/// The way home in a building from a world file after a share of its first route.
+/// A robot that has just been told to go home in a building from a world file, after a share of its first route.
 ///
 /// # Errors
 /// What is wrong with the file, or that there is no way home in it.
-pub fn in_a_designed_building(file: &Path, share: f64, seed: u64) -> Result<Thinking, String> {
+pub fn in_a_designed_building(file: &Path, share: f64, seed: u64) -> Result<Session, String> {
     let name = file.display();
     let text = fs::read_to_string(file).map_err(|why| format!("{name}: {why}"))?;
     let world = cogmap_formats::world::read(&text, &name.to_string()).map_err(|why| why.to_string())?;
-    way_home(&world, share, Setting::Furnished, seed)
+    told_to_go_home(&world, share, Setting::Furnished, seed)
         .ok_or_else(|| format!("{name}: it has no route to drive"))
 }
 
-fn way_home(world: &World, share: f64, setting: Setting, seed: u64) -> Option<Thinking> {
+fn told_to_go_home(world: &World, share: f64, setting: Setting, seed: u64) -> Option<Session> {
     let route: Vec<DVec2> = world.routes.values().next()?.iter().map(|&point| point.into()).collect();
     #[allow(
         clippy::cast_possible_truncation,
@@ -65,14 +79,7 @@ fn way_home(world: &World, share: f64, setting: Setting, seed: u64) -> Option<Th
         reason = "a share"
     )]
     let points = (share * route.len() as f64).ceil() as usize;
-    let start = at_the_command(&Episode::new(world, route.get(..points)?, setting, seed)?)?;
-    let rounds = (0..ROUNDS).map(|_| times(start.forked()));
-    let fastest = rounds.reduce(|best, round| best.iter().zip(round).map(|(a, b)| a.min(b)).collect())?;
-    Some(Thinking {
-        decisions: fastest.len(),
-        total: fastest.iter().sum(),
-        slowest: fastest.iter().copied().fold(0.0, f64::max),
-    })
+    at_the_command(&Episode::new(world, route.get(..points)?, setting, seed)?)
 }
 
 /// The milliseconds of each decision until the robot rests.

@@ -206,11 +206,11 @@ impl<'a> Search<'a> {
             let Some(ease) = first.zip(rest).map(|(first, rest)| first + rest) else { continue };
             let length = if dx != 0 && dy != 0 { 141 } else { 100 };
             let cost = cost.saturating_add(ease * length);
-            let node = self.nodes.get_mut(to);
-            if node.cost == 0 || cost < node.cost {
+            let known = self.nodes.get(to).cost;
+            if known == 0 || cost < known {
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 or 3")]
                 let step = step as u8;
-                *node = Node { cost, way, step };
+                *self.nodes.get_mut(to) = Node { cost, way, step };
                 self.open.push(Reverse((cost.saturating_add(self.ahead(to)), cost, to, false)));
             }
         }
@@ -256,11 +256,17 @@ impl<'a> Search<'a> {
     }
 
     /// What a metre costs at a cell, in tenths.
+    #[inline]
     fn ease(&mut self, cell: Cell) -> u16 {
-        let known = self.eases.get(cell);
-        if known != 0 {
-            return known;
+        match self.eases.get(cell) {
+            0 => self.ask(cell),
+            known => known,
         }
+    }
+
+    /// Works out what a metre costs at a cell, once in a decision: apart, so that asking again stays quick.
+    #[cold]
+    fn ask(&mut self, cell: Cell) -> u16 {
         let ease = self.ease.cost(cell);
         *self.eases.get_mut(cell) = ease;
         ease

@@ -10,6 +10,8 @@ const PER_METRE: f64 = 10.0;
 const SIDE: i32 = 1 << BITS;
 const BITS: i32 = 5;
 const AREA: usize = (SIDE * SIDE) as usize;
+/// A number to which this is added is rounded to a whole one, which stands in the lowest bits of the sum.
+const WHOLE: f64 = 6_755_399_441_055_744.0;
 /// No cell is kept farther from the origin than this, in cells: 3 km.
 const FAR: i32 = 30_000;
 
@@ -27,13 +29,13 @@ impl Cell {
         Self { x: Self::index(point.x), y: Self::index(point.y) }
     }
 
-    /// Rounds down; the compiler's own way calls a function where the processor has no instruction for it.
-    #[allow(clippy::cast_possible_truncation, reason = "clamped")]
+    /// Rounds down; conversions of numbers that may be out of range are slow, and so is the library's `floor`.
+    #[allow(clippy::cast_possible_truncation, reason = "the lowest bits are meant")]
     #[inline]
     fn index(along: f64) -> i32 {
         let along = (along * PER_METRE).clamp(f64::from(-FAR), f64::from(FAR));
-        let toward_zero = along as i32;
-        toward_zero - i32::from(along < f64::from(toward_zero))
+        let whole = along + WHOLE;
+        (whole.to_bits() as i32) - i32::from(along < whole - WHOLE)
     }
 
     /// Its middle, metres.
@@ -195,12 +197,25 @@ mod tests {
         }
 
         #[test]
+        fn a_cell_begins_at_whole_tenths(along in -2900.0..2900.0, whole in -30_000i32..30_000) {
+            prop_assert_eq!(f64::from(Cell::index(along)), (along * PER_METRE).floor());
+            let begin = f64::from(whole) / PER_METRE;
+            prop_assert_eq!(f64::from(Cell::index(begin)), (begin * PER_METRE).floor());
+        }
+
+        #[test]
         fn the_middle_of_a_cell_lies_in_it(x in -3000i32..3000, y in -3000i32..3000) {
             let cell = Cell { x, y };
             prop_assert_eq!(Cell::at(cell.middle()), cell);
             let corner = cell.middle() - 0.499 * CELL;
             prop_assert_eq!(Cell::at(corner), cell);
         }
+    }
+
+    #[test]
+    fn what_is_too_far_is_kept_at_the_edge() {
+        let far = [f64::INFINITY, 1e300, -1e300, f64::NEG_INFINITY, -0.0, -1e-300, f64::NAN];
+        assert_eq!(far.map(Cell::index), [FAR, FAR, -FAR, -FAR, 0, -1, 0]);
     }
 
     #[test]
