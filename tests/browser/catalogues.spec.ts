@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { expect, test } from '@playwright/test';
+import { fixed } from '../../web/src/strings/rounding';
 
 /** The folder that npm runs this in is `web`. */
 const root = resolve('..');
@@ -96,4 +97,13 @@ test('the legends of a view change with the language, and back', async ({ page }
   await page.getByRole('button', { name: 'Sprache' }).click();
   await page.getByRole('button', { name: 'English' }).click();
   await expect.poll(legend).toBe(english);
+});
+
+const rounded: [number, number, string][] = [
+  [0.25, 1, '0.2'], [0.75, 1, '0.8'], [-0.25, 1, '-0.2'], [0.35, 1, '0.3'], [0.45, 1, '0.5'], [2.5, 0, '2'], [1.5, 0, '2'],
+  [0.125, 2, '0.12'], [0.375, 2, '0.38'], [1.005, 2, '1.00'], [3, 1, '3.0'], [1e6 + 0.5, 0, '1000000'], [NaN, 1, 'NaN'],
+];
+
+test('numbers are rounded as the engine rounds them', () => {
+  for (const [value, digits, text] of rounded) expect(fixed(value, digits)).toBe(text);
 });

@@ -10,6 +10,15 @@ async function drive(page: Page): Promise<void> {
   await expect(page.getByRole('button', { name: 'Play' })).toBeDisabled();
 }
 
+/** Opens the page and drives; what the session says then. */
+async function driven(page: Page): Promise<{ bench: BenchPage; told: unknown }> {
+  const bench = new BenchPage(page);
+  await bench.open();
+  await bench.takeOver();
+  await drive(page);
+  return { bench, told: await commands(bench) };
+}
+
 const goOn = (page: Page) => page.getByRole('button', { name: 'Go on', exact: true });
 
 /** The commands of a saved session. */
@@ -74,6 +83,32 @@ test('a log is kept with its file', async ({ page }) => {
   expect((await bench.save('Map')).bytes.equals(map)).toBe(true);
 });
 
+test('two windows keep a run each, and each is offered once its window is gone', async ({ page, context }) => {
+  const one = new BenchPage(page);
+  await one.open();
+  await one.drop({ name: 'room.log', content: roomLog(20) });
+  await expect(page.getByRole('slider', { name: 'Timeline' })).toHaveValue('20');
+  const other = new BenchPage(await context.newPage());
+  await other.open();
+  await other.page.waitForTimeout(1000);
+  await expect(goOn(other.page)).toBeHidden();
+  await other.takeOver();
+  await drive(other.page);
+  const told = await commands(other);
+  await page.close();
+  await other.page.close();
+  const third = new BenchPage(await context.newPage());
+  await third.open();
+  await goOn(third.page).click();
+  await expect(goOn(third.page)).toBeHidden();
+  expect(await commands(third)).toEqual(told);
+  const fourth = await context.newPage();
+  await new BenchPage(fourth).open();
+  await expect(fourth.getByText(/Go on where you were\? room\.log/)).toBeVisible();
+  await goOn(fourth).click();
+  await expect(fourth.getByRole('slider', { name: 'Timeline' })).toHaveValue('20');
+});
+
 const ends: [string, () => void][] = [
   ['is ended without a word', () => self.close()],
   ['traps', () => void setTimeout(() => { throw new WebAssembly.RuntimeError('unreachable'); })],
@@ -81,11 +116,7 @@ const ends: [string, () => void][] = [
 
 for (const [how, end] of ends) {
   test(`when the worker ${how}, the run goes on in another one`, async ({ page }) => {
-    const bench = new BenchPage(page);
-    await bench.open();
-    await bench.takeOver();
-    await drive(page);
-    const told = await commands(bench);
+    const { bench, told } = await driven(page);
     const worker = page.workers().find((worker) => worker.url().startsWith('http'));
     await worker?.evaluate(end).catch(() => undefined);
     await expect(page.getByRole('alert')).toContainText('stopped unexpectedly');
@@ -99,11 +130,7 @@ for (const [how, end] of ends) {
 }
 
 test('after the worker was killed and the page reloaded, the run is offered again, complete', async ({ page }) => {
-  const bench = new BenchPage(page);
-  await bench.open();
-  await bench.takeOver();
-  await drive(page);
-  const told = await commands(bench);
+  const { bench, told } = await driven(page);
   const worker = page.workers().find((worker) => worker.url().startsWith('http'));
   await worker?.evaluate(() => self.close()).catch(() => undefined);
   await expect(page.getByRole('alert')).toContainText('taken up where it was');

@@ -1,7 +1,7 @@
 import { strings } from '../strings';
 import type { Lab } from '../state/lab.svelte';
 import type { Moment } from '../worker/protocol';
-import { Shelf, type KeptRun } from './shelf';
+import { Shelf, type KeptRun, type LeftRun } from './shelf';
 
 /** A worker that ends so soon after it was replaced, milliseconds, is ended by the run itself. */
 const SOON = 20_000;
@@ -9,7 +9,7 @@ const SOON = 20_000;
 /** Sees to it that no run is lost: keeps it as it grows, offers it again, takes it up after a crash. */
 export class Keeping {
   /** What is offered again. */
-  offer = $state.raw<KeptRun>();
+  offer = $state.raw<LeftRun>();
   /** The run at hand as it was kept last. */
   private latest: KeptRun | undefined;
   private recoveredAt = -Infinity;
@@ -25,7 +25,7 @@ export class Keeping {
 
   /** Looks for a run that was left behind. */
   async begin(): Promise<void> {
-    this.offer = await this.shelf?.putAside();
+    this.offer = await this.shelf?.leftBehind();
   }
 
   /** Keeps the run at hand. */
@@ -43,15 +43,15 @@ export class Keeping {
     this.offer = undefined;
     try {
       await this.lab.resume({ ...offered, name: strings.kept.name });
-      await this.shelf?.discard();
+      await this.shelf?.discard(offered.visit);
     } catch (error) {
       this.lab.refusal = strings.kept.refused(error instanceof Error ? error.message : String(error));
     }
   };
 
   dismiss = (): void => {
+    if (this.offer) void this.shelf?.discard(this.offer.visit);
     this.offer = undefined;
-    void this.shelf?.discard();
   };
 
   /** After a crash: takes the run up again, unless it is the run that brings the worker down. */

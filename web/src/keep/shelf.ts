@@ -1,4 +1,5 @@
-import { createStore, del, get, set, type UseStore } from 'idb-keyval';
+import { createStore, del, get, keys, set, type UseStore } from 'idb-keyval';
+import { hold } from '../worker/lifeline';
 
 /** A run as it is kept. */
 export interface KeptRun {
@@ -13,56 +14,56 @@ export interface KeptRun {
   log?: File;
 }
 
-/** The run at hand, and the one before the page was opened. */
-type Slot = 'now' | 'before';
+/** A run that was left behind, and the visit to the page that left it. */
+export interface LeftRun extends KeptRun {
+  visit: string;
+}
+
+/** Of the runs that were left behind so many are kept. */
+const LEFT = 4;
+/** How long a page that is just being left may take to let go of its run, milliseconds. */
+const PARTING = 500;
+/** What the name of a run's log ends with. */
+const LOG = '-log';
 
 /**
- * Where the browser keeps runs. A browser that keeps nothing, as in some private windows, is no reason to
- * complain: then nothing is found here.
+ * Where the browser keeps runs: one for each visit to the page, so that two windows keep a run each. A browser that
+ * keeps nothing, as in some private windows, is no reason to complain: then nothing is found here.
  */
 export class Shelf {
   private readonly store: UseStore | undefined = openStore();
+  private readonly visit = `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
   /** The log that lies beside the run at hand. */
   private log: File | undefined;
+
+  constructor() {
+    void hold(lockOf(this.visit));
+  }
 
   /** Keeps the run at hand. */
   async keep({ log, ...run }: KeptRun): Promise<void> {
     await this.attempt(async (store) => {
-      if (log !== this.log) await (log ? set('now-log', log, store) : del('now-log', store));
+      if (log !== this.log) await (log ? set(this.visit + LOG, log, store) : del(this.visit + LOG, store));
       this.log = log;
-      await set('now', run, store);
+      await set(this.visit, run, store);
     });
   }
 
-  /** Puts the run that was at hand when the page was left aside, and returns it. */
-  async putAside(): Promise<KeptRun | undefined> {
+  /** The newest run of a visit that is over; the others wait until it is taken up or thrown away. */
+  async leftBehind(): Promise<LeftRun | undefined> {
     return this.attempt(async (store) => {
-      const left = await this.take('now', store);
-      if (left) {
-        const { log, ...run } = left;
-        await set('before', run, store);
-        await (log ? set('before-log', log, store) : del('before-log', store));
-        await this.clear('now', store);
-      }
-      return this.take('before', store);
+      const names = (await keys(store)).filter((key) => typeof key === 'string');
+      const visits = names.filter((name) => !name.endsWith(LOG) && name !== this.visit);
+      const found = await Promise.all(visits.map((visit) => left(visit, store)));
+      const runs = found.filter((run) => run !== undefined).sort((one, other) => other.when - one.when);
+      for (const { visit } of runs.slice(LEFT)) await clear(visit, store);
+      return runs[0];
     });
   }
 
-  /** Throws away the run that was put aside. */
-  async discard(): Promise<void> {
-    await this.attempt((store) => this.clear('before', store));
-  }
-
-  private async take(slot: Slot, store: UseStore): Promise<KeptRun | undefined> {
-    const run: unknown = await get(slot, store);
-    if (!isRun(run)) return undefined;
-    const log: unknown = await get(`${slot}-log`, store);
-    return log instanceof File ? { ...run, log } : run;
-  }
-
-  private async clear(slot: Slot, store: UseStore): Promise<void> {
-    await del(slot, store);
-    await del(`${slot}-log`, store);
+  /** Throws away what a visit has left behind. */
+  async discard(visit: string): Promise<void> {
+    await this.attempt((store) => clear(visit, store));
   }
 
   private async attempt<T>(work: (store: UseStore) => Promise<T>): Promise<T | undefined> {
@@ -80,6 +81,27 @@ function openStore(): UseStore | undefined {
   } catch {
     return undefined;
   }
+}
+
+const lockOf = (visit: string): string => `cogmap-run-${visit}`;
+
+/** What a visit has left behind, if it is over. */
+async function left(visit: string, store: UseStore): Promise<LeftRun | undefined> {
+  const run: unknown = (await isOver(visit)) && (await get(visit, store));
+  if (!isRun(run)) return undefined;
+  const log: unknown = await get(visit + LOG, store);
+  return log instanceof File ? { ...run, visit, log } : { ...run, visit };
+}
+
+async function clear(visit: string, store: UseStore): Promise<void> {
+  await del(visit, store);
+  await del(visit + LOG, store);
+}
+
+/** Whether no window shows the run of a visit any more; a browser without locks cannot tell, and offers it. */
+async function isOver(visit: string): Promise<boolean> {
+  const signal = AbortSignal.timeout(PARTING);
+  return navigator.locks?.request(lockOf(visit), { signal }, () => true).catch(() => false) ?? true;
 }
 
 /** Another version of the page may have kept something else. */

@@ -1,5 +1,6 @@
 import type { Clause } from '../wasm/cogmap_wasm';
 import { locale } from './locale.svelte';
+import { fixed } from './rounding';
 
 /** What stands between a whole number and its digits behind the point. */
 const point = (): string => (locale.tag === 'en' ? '.' : ',');
@@ -8,14 +9,14 @@ const point = (): string => (locale.tag === 'en' ? '.' : ',');
 let grouping: Intl.NumberFormat | undefined;
 
 /** A number with so many digits behind the point. */
-export const number = (value: number, digits: number): string => value.toFixed(digits).replace('.', point());
+export const number = (value: number, digits: number): string => fixed(value, digits).replace('.', point());
 
 /** A number with no more digits than it needs, two at most. */
-export const plain = (value: number): string => String(Number(value.toFixed(2))).replace('.', point());
+export const plain = (value: number): string => String(Number(fixed(value, 2))).replace('.', point());
 
 /** A whole number, its thousands set apart. */
 export function whole(value: number): string {
-  if (Math.abs(value) < 999.5) return value.toFixed(0);
+  if (Math.abs(value) < 999.5) return fixed(value, 0);
   if (grouping?.resolvedOptions().locale !== locale.tag) {
     grouping = new Intl.NumberFormat(locale.tag, { maximumFractionDigits: 0 });
   }
