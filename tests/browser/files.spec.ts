@@ -10,6 +10,26 @@ test('a dropped log is mapped', async ({ page }) => {
   expect(await bench.surfaces()).toBeGreaterThan(0);
 });
 
+test('a session and its log come in any order, and nothing that does not belong to the other is left out silently', async ({ page }) => {
+  const bench = new BenchPage(page);
+  const timeline = page.getByRole('slider', { name: 'Timeline' });
+  const log = { name: 'room.log', content: roomLog(20) };
+  await bench.open('?mappers=odometry');
+  await bench.drop(log);
+  await expect(timeline).toHaveValue('20');
+  const session = await bench.save('Session');
+  const both = [log, { name: session.name, content: session.bytes.toString() }];
+  await bench.open();
+  await bench.drop(...both);
+  await expect(timeline).toHaveValue('20');
+  expect((await bench.save('Session')).bytes.equals(session.bytes)).toBe(true);
+  await bench.drop(log, { name: 'other.log', content: roomLog(5) });
+  await expect(page.getByRole('alert')).toContainText('room.log and other.log do not belong together');
+  await bench.drop(...both, log);
+  await expect(page.getByRole('alert')).toContainText('These are 3 files.');
+  await expect(timeline).toHaveValue('20');
+});
+
 test('mapping a log can be cancelled, and the run before it is still there', async ({ page }) => {
   const bench = new BenchPage(page);
   await bench.open();

@@ -36,7 +36,16 @@ pub(crate) fn generated(seed: &str) -> Result<World, Failure> {
 /// a floor plan.
 pub(crate) fn open(opening: &Opening, bytes: &[u8], other: Option<&[u8]>) -> Result<Run, Failure> {
     let plain = gzip::unpack(bytes, &opening.name)?;
-    match Kind::of(&plain) {
+    let kind = Kind::of(&plain);
+    if let (Kind::Log | Kind::World, Some(_)) = (&kind, other) {
+        let beside = opening.beside.as_deref().unwrap_or("the other file");
+        return Err(Failure::new(&format!(
+            "{} and {beside} do not belong together; bring one of them, or a session with the log that it was made \
+             from, or a floor plan's picture with its YAML",
+            opening.name
+        )));
+    }
+    match kind {
         Kind::Log => map_log(opening, bytes),
         Kind::World => drive_in(world::read(text(&plain, &opening.name)?, &opening.name)?, opening),
         Kind::Picture | Kind::MapServer => drive_in(plans::building(opening, &plain, other)?, opening),
@@ -189,5 +198,20 @@ mod tests {
         ] {
             assert_eq!(label(file, true).stem, stem);
         }
+    }
+
+    #[test]
+    fn files_that_do_not_belong_together_are_not_opened_in_part() {
+        let opening = Opening {
+            name: "one.log".into(),
+            robot: "bad".into(),
+            mappers: vec!["odometry".into()],
+            seed: 1,
+            resolution: None,
+            beside: Some("two.log".into()),
+        };
+        let log = b"# CARMEN\n";
+        let told = open(&opening, log, Some(log)).err().map(|failure| failure.to_string());
+        assert!(told.is_some_and(|told| told.contains("one.log and two.log do not belong together")));
     }
 }

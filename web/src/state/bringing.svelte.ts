@@ -1,5 +1,6 @@
 import { transfer, type Remote } from 'comlink';
 import type { Bench } from '../worker/bench';
+import { strings } from '../strings';
 import type { Lab } from './lab.svelte';
 import { brought } from './save';
 
@@ -18,18 +19,23 @@ export class Bringing {
 
   /** Opens files; `resolution` is the scale of a floor plan that does not say it, metres a pixel. */
   async open(files: File[], resolution?: number): Promise<void> {
-    const [first, second] = files;
     const { lab } = this;
-    if (!first || lab.reading) return;
+    if (lab.reading) return;
+    const [first, second, third] = await inOrder(files);
+    if (!first) return;
     lab.refusal = undefined;
     this.plan = undefined;
+    if (third) {
+      lab.refusal = strings.files.tooMany(files.length);
+      return;
+    }
     if (!second && resolution === undefined && (await isPicture(first))) {
       this.plan = first;
       return;
     }
     lab.reading = first.name;
     await lab.ask(async () => {
-      const opened = files.slice(0, 2);
+      const opened = second ? [first, second] : [first];
       const contents = await Promise.all(opened.map(brought));
       const buffers = contents.map(({ bytes }) => bytes.buffer);
       const said = resolution === undefined ? contents : contents.map((content) => ({ ...content, resolution }));
@@ -47,7 +53,20 @@ export class Bringing {
   }
 }
 
+/** How a file begins, each byte a character. */
+async function beginning(file: File): Promise<string> {
+  return String.fromCharCode(...new Uint8Array(await file.slice(0, 4).arrayBuffer()));
+}
+
 async function isPicture(file: File): Promise<boolean> {
-  const beginning = String.fromCharCode(...new Uint8Array(await file.slice(0, 4).arrayBuffer()));
-  return PICTURES.some((magic) => beginning.startsWith(magic));
+  const begins = await beginning(file);
+  return PICTURES.some((magic) => begins.startsWith(magic));
+}
+
+/** A session, which is JSON, goes before the log that it was made from, in whatever order they come. */
+async function inOrder(files: File[]): Promise<File[]> {
+  if (files.length !== 2) return files;
+  const begins = await Promise.all(files.map(beginning));
+  const [first, second] = begins.map((text) => text.trimStart().startsWith('{'));
+  return second && !first ? files.toReversed() : files;
 }

@@ -21,6 +21,7 @@ export const keeping = {
     dropHint: 'Eine Aufzeichnung (CARMEN, auch gezippt), eine Sitzung, eine Welt oder ein Grundriss (PNG, PGM)',
     reading: (name: string) => `${name} wird gelesen …`,
     refused: (reason: string) => `Das ging nicht. ${reason}`,
+    tooMany: (number: number) => `Das sind ${number} Dateien. Es geht eine, oder zwei, die zusammengehören: eine Sitzung mit ihrer Aufzeichnung oder das Bild eines Grundrisses mit seiner YAML-Datei.`,
     dismiss: 'Schließen',
   },
 

@@ -21,6 +21,7 @@ export const keeping = {
     dropHint: 'A recorded log (CARMEN, gzipped or not), a session, a world or a floor plan (PNG, PGM)',
     reading: (name: string) => `Reading ${name}…`,
     refused: (reason: string) => `That did not work. ${reason}`,
+    tooMany: (number: number) => `These are ${number} files. Bring one, or two that belong together: a session with its log, or a floor plan’s picture with its YAML.`,
     dismiss: 'Dismiss',
   },
 

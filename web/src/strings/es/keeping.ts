@@ -21,6 +21,7 @@ export const keeping = {
     dropHint: 'Una grabación (CARMEN, comprimida o no), una sesión, un mundo o un plano (PNG, PGM)',
     reading: (name: string) => `Leyendo ${name}…`,
     refused: (reason: string) => `No ha sido posible. ${reason}`,
+    tooMany: (number: number) => `Son ${number} archivos. Puede ser uno, o dos que van juntos: una sesión con su grabación, o la imagen de un plano con su YAML.`,
     dismiss: 'Cerrar',
   },
 
