@@ -52,6 +52,7 @@ test('the language changes while a run goes on, which stays, and is remembered',
 
   await page.reload();
   await expect(page.getByRole('button', { name: 'Ir a casa', exact: true })).toBeVisible();
+  await expect(page.getByText(/Oficina, .* recorrido/)).toBeVisible();
   await page.getByRole('button', { name: 'Idioma' }).click();
   await page.getByRole('button', { name: 'English' }).click();
   await expect(page.getByRole('button', { name: 'Go Home', exact: true })).toBeVisible();
