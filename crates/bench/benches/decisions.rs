@@ -6,7 +6,7 @@ use std::path::Path;
 use cogmap_bench::thinking::{Thinking, in_a_designed_building, on_a_generated_floor};
 use cogmap_simulation::{Session, Setting};
 
-/// The designed building of 90 m round.
+/// The designed building of 120 m round.
 const LARGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../worlds/environment-a.world.json");
 /// So much of its round is driven before the robot is told to go home.
 const SHARES: [f64; 3] = [0.4, 0.6, 0.75];

@@ -52,7 +52,8 @@ impl Thinking {
     }
 }
 
-/// A robot that has just been told to go home on the generated floor of that seed; `None` where it has no place for that setting.
+/// A robot that has just been told to go home on the generated floor of that seed; `None` where it has no place for
+/// that setting.
 #[must_use]
 pub fn on_a_generated_floor(setting: Setting, seed: u64) -> Option<Session> {
     told_to_go_home(&Building::generate(seed), 1.0, setting, seed)
