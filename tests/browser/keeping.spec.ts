@@ -67,6 +67,21 @@ test('an offer that is dismissed does not come again, and an untouched page offe
   await expect(goOn(page)).toBeHidden();
 });
 
+test('steps to the next view are kept, too', async ({ page }) => {
+  const bench = new BenchPage(page);
+  const timeline = page.getByRole('slider', { name: 'Timeline' });
+  await bench.open();
+  await page.getByRole('button', { name: 'Pause' }).click();
+  const paused = Number(await timeline.inputValue());
+  await page.keyboard.press('.');
+  await expect.poll(async () => Number(await timeline.inputValue())).toBeGreaterThan(paused);
+  const stepped = await timeline.inputValue();
+  await page.waitForTimeout(500);
+  await page.reload();
+  await goOn(page).click();
+  await expect(timeline).toHaveValue(stepped);
+});
+
 test('a log is kept with its file', async ({ page }) => {
   const bench = new BenchPage(page);
   await bench.open();

@@ -157,6 +157,7 @@ export class Bench {
   next(): void {
     this.player.play(false);
     this.laboratory?.advance_to_next_view();
+    this.player.touch();
   }
 
   /** Takes back what a person did last, or does it again. */
@@ -189,6 +190,7 @@ export class Bench {
    */
   async finish(): Promise<Status> {
     await this.player.rush(() => this.mounted().advance());
+    this.player.touch();
     return this.mounted().status();
   }
 
