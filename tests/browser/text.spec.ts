@@ -100,6 +100,13 @@ test('each line sets its thing off in the drawing, shows its story and goes to i
   const name = (await names.nth(1).getAttribute('aria-label')) ?? '';
   await page.keyboard.press('Enter');
   await expect(bench.memory.getByRole('group', { name, exact: true })).toBeVisible();
+  // As when the window loses the focus and gets it back.
+  await names.nth(1).evaluate((line) => {
+    line.blur();
+    line.focus();
+  });
+  await page.waitForTimeout(300);
+  await expect(bench.memory.getByRole('group', { name, exact: true })).toBeVisible();
   await page.keyboard.press('Escape');
   await expect(card(page)).toHaveCount(0);
   await expect(panel(page)).toBeVisible();
@@ -128,6 +135,26 @@ test('the words wait for whoever is at a line of them, and follow otherwise', as
   await panel(page).getByRole('button', { name: 'Update' }).click();
   await expect.poll(asOf).toBeGreaterThan(held);
 });
+
+for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]] as const) {
+  test(`no line moves away under a mouse that came to it at ${width} × ${height}`, async ({ page }) => {
+    await page.setViewportSize({ width, height });
+    await new BenchPage(page).open();
+    await page.keyboard.press('m');
+    await page.mouse.move(5, 5);
+    const line = surfaces(page).getByRole('button', { name: /^Surface/ }).first();
+    await line.scrollIntoViewIfNeeded();
+    const lines = panel(page).getByRole('group', { name: 'What the memory holds' });
+    // Where the lines were before the page could answer to the mouse.
+    const coming = lines.evaluate((node) => new Promise<number>((resolve) => {
+      node.addEventListener('pointerenter', () => resolve(node.getBoundingClientRect().top), { once: true, capture: true });
+    }));
+    await line.hover();
+    const came = await coming;
+    await expect(panel(page)).toContainText('The robot has gone on since');
+    expect(await lines.evaluate((node) => node.getBoundingClientRect().top)).toBe(came);
+  });
+}
 
 test('a mapper that knows no places has its surfaces told all the same, and each can be chosen', async ({ page }) => {
   const bench = await driveRoute(page);

@@ -45,9 +45,9 @@ export class Pointing {
     await this.keep(view, { thing });
   }
 
-  /** Sets a thing off; a card that is to stay stays, unless this is meant to replace it. */
+  /** Sets a thing off; a card that is to stay stays, unless this is meant to replace it by that of another thing. */
   async glance(view: View, thing: Remembered, replacing: boolean): Promise<void> {
-    if (this.pinned && !replacing) return;
+    if (this.pinned && (!replacing || this.shows(view, thing))) return;
     this.pinned = false;
     await this.point(view, { thing }, false);
   }
@@ -97,6 +97,10 @@ export class Pointing {
     this.told = told;
     this.carded = carded;
     this.walked = false;
+  }
+
+  private shows(view: View, { kind, number }: Remembered): boolean {
+    return this.view === view && this.told?.thing.kind === kind && this.told.thing.number === number;
   }
 
   private clear(): void {
