@@ -79,6 +79,34 @@ test('what was drawn is offered again after a reload, the wall that was not ende
   await expect(form(page).getByRole('option')).toHaveText(['nothing', 'Start']);
 });
 
+test('two windows keep a drawing each, and each is offered once its window is gone', async ({ context }) => {
+  const windows = [await context.newPage(), await context.newPage()] as const;
+  for (const page of windows) await open(page, 'New building');
+  await drawWalls(windows[0]);
+  await drawWalls(windows[1]);
+  await windows[1].keyboard.press('Control+z');
+  await expect(form(windows[1]).getByRole('option')).toHaveText(['nothing', 'Start']);
+  await windows[1].keyboard.press('w');
+  await click(windows[1], 0.5, 0.2);
+  await expect(said(windows[1])).toHaveText(/^Point 1 at/);
+  await windows[0].waitForTimeout(300);
+  for (const page of windows) await page.close();
+
+  for (const things of [['nothing', 'Start'], ['nothing', 'Start', 'Wall 1']]) {
+    const page = await context.newPage();
+    await new BenchPage(page).open();
+    await page.getByRole('button', { name: 'Go on drawing' }).click();
+    await expect(form(page).getByRole('option')).toHaveText(things);
+    // Leaving the editor keeps it under the new window's name.
+    await button(page, 'Back').click();
+    await page.waitForTimeout(300);
+  }
+  const last = await context.newPage();
+  await new BenchPage(last).open();
+  await last.waitForTimeout(1000);
+  await expect(last.getByText('Go on drawing?')).toBeHidden();
+});
+
 test('an empty sheet in place of an unfinished drawing is an edit that can be undone', async ({ page }) => {
   await open(page, 'New building');
   await drawWalls(page);

@@ -1,7 +1,8 @@
 import { strings } from '../strings';
 import type { Lab } from '../state/lab.svelte';
 import type { Moment } from '../worker/protocol';
-import { Shelf, type KeptRun, type LeftRun } from './shelf';
+import { runShelf, type KeptRun } from './runs';
+import type { Left, Shelf } from './shelf';
 
 /** A worker that ends so soon after it was replaced, milliseconds, is ended by the run itself. */
 const SOON = 20_000;
@@ -9,23 +10,23 @@ const SOON = 20_000;
 /** Sees to it that no run is lost: keeps it as it grows, offers it again, takes it up after a crash. */
 export class Keeping {
   /** What is offered again. */
-  offer = $state.raw<LeftRun>();
+  offer = $state.raw<Left<KeptRun>>();
   /** The run at hand as it was kept last. */
   private latest: KeptRun | undefined;
   private recoveredAt = -Infinity;
-  private readonly shelf: Shelf | undefined;
+  private readonly shelf: Shelf<KeptRun> | undefined;
 
   /** `lasting`: whether the browser keeps the run beyond this visit. */
   constructor(
     private readonly lab: Lab,
     lasting: boolean,
   ) {
-    this.shelf = lasting ? new Shelf() : undefined;
+    this.shelf = lasting ? runShelf() : undefined;
   }
 
-  /** Looks for a run that was left behind. */
+  /** Looks for a run that was left behind; older ones wait until the newest is taken up or thrown away. */
   async begin(): Promise<void> {
-    this.offer = await this.shelf?.leftBehind();
+    this.offer = (await this.shelf?.leftBehind())?.[0];
   }
 
   /** Keeps the run at hand. */
@@ -39,11 +40,13 @@ export class Keeping {
   /** Goes on with the run that was left behind. */
   takeUp = async (): Promise<void> => {
     if (!this.offer) return;
-    const offered = this.offer;
+    const { offer: offered, latest: before } = this;
     this.offer = undefined;
     try {
       await this.lab.resume({ ...offered, name: strings.kept.name });
-      await this.shelf?.discard(offered.visit);
+      this.shelf?.takeOver(offered.visit);
+      // It was kept under this visit's name before that, or will be in a moment.
+      if (this.latest && this.latest !== before) void this.shelf?.keep(this.latest);
     } catch (error) {
       this.lab.refusal = strings.kept.refused(error instanceof Error ? error.message : String(error));
     }

@@ -1,64 +1,69 @@
 import { createStore, del, get, keys, set, type UseStore } from 'idb-keyval';
-import { hold } from '../worker/lifeline';
+import { isOver, stay, visit as present } from './visit';
 
-/** A run as it is kept. */
-export interface KeptRun {
-  situation: string;
-  /** What was driven through or mapped, for people. */
-  name: string;
-  /** Seconds of the run at the moment that was shown. */
-  time: number;
-  /** When it was kept, milliseconds since 1970. */
+/** What lies on a shelf: when it was kept, milliseconds since 1970, and for a run the log that it was made from. */
+export interface Kept {
   when: number;
-  /** The log that it was made from. */
   log?: File;
 }
 
-/** A run that was left behind, and the visit to the page that left it. */
-export interface LeftRun extends KeptRun {
-  visit: string;
-}
+/** What was left behind, and the visit to the page that left it. */
+export type Left<T> = T & { visit: string };
 
-/** Of the runs that were left behind so many are kept. */
+/** Of what was left behind so much is kept. */
 const LEFT = 4;
-/** How long a page that is just being left may take to let go of its run, milliseconds. */
-const PARTING = 500;
-/** What the name of a run's log ends with. */
+/** What the name of a log ends with. */
 const LOG = '-log';
 
 /**
- * Where the browser keeps runs: one for each visit to the page, so that two windows keep a run each. A browser that
+ * Where the browser keeps something for each visit to the page, so that two windows keep theirs each. A browser that
  * keeps nothing, as in some private windows, is no reason to complain: then nothing is found here.
  */
-export class Shelf {
-  private readonly store: UseStore | undefined = openStore();
-  private readonly visit = `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
-  /** The log that lies beside the run at hand. */
+export class Shelf<T extends Kept> {
+  private readonly store: UseStore | undefined;
+  /** The log that lies there already. */
   private log: File | undefined;
+  /** The visit whose thing is at hand now. */
+  private taken: string | undefined;
 
-  constructor() {
-    void hold(lockOf(this.visit));
+  /** `sound` looks whether this version of the page understands what another one may have kept. */
+  constructor(
+    database: string,
+    name: string,
+    private readonly sound: (kept: unknown) => kept is T,
+  ) {
+    stay();
+    this.store = opened(database, name);
   }
 
-  /** Keeps the run at hand. */
-  async keep({ log, ...run }: KeptRun): Promise<void> {
+  /** Keeps what is at hand; what was taken over for it is let go only then. */
+  async keep({ log, ...kept }: T): Promise<void> {
     await this.attempt(async (store) => {
-      if (log !== this.log) await (log ? set(this.visit + LOG, log, store) : del(this.visit + LOG, store));
+      if (log !== this.log) await (log ? set(present + LOG, log, store) : del(present + LOG, store));
       this.log = log;
-      await set(this.visit, run, store);
+      await set(present, kept, store);
+      const { taken } = this;
+      this.taken = undefined;
+      if (taken !== undefined) await clear(taken, store);
     });
   }
 
-  /** The newest run of a visit that is over; the others wait until it is taken up or thrown away. */
-  async leftBehind(): Promise<LeftRun | undefined> {
-    return this.attempt(async (store) => {
+  /** Takes over what a visit has left behind: it is thrown away there once something is kept here. */
+  takeOver(visit: string): void {
+    this.taken = visit;
+  }
+
+  /** What visits that are over have left behind, newest first. */
+  async leftBehind(): Promise<Left<T>[]> {
+    const found = await this.attempt(async (store) => {
       const names = (await keys(store)).filter((key) => typeof key === 'string');
-      const visits = names.filter((name) => !name.endsWith(LOG) && name !== this.visit);
-      const found = await Promise.all(visits.map((visit) => left(visit, store)));
-      const runs = found.filter((run) => run !== undefined).sort((one, other) => other.when - one.when);
-      for (const { visit } of runs.slice(LEFT)) await clear(visit, store);
-      return runs[0];
+      const visits = names.filter((name) => !name.endsWith(LOG) && name !== present);
+      const found = await Promise.all(visits.map((visit) => this.left(visit, store)));
+      const all = found.filter((left) => left !== undefined).sort((one, other) => other.when - one.when);
+      for (const { visit } of all.slice(LEFT)) await clear(visit, store);
+      return all.slice(0, LEFT);
     });
+    return found ?? [];
   }
 
   /** Throws away what a visit has left behind. */
@@ -66,7 +71,22 @@ export class Shelf {
     await this.attempt((store) => clear(visit, store));
   }
 
-  private async attempt<T>(work: (store: UseStore) => Promise<T>): Promise<T | undefined> {
+  /** Throws away what this visit has kept and taken over. */
+  async empty(): Promise<void> {
+    const { taken } = this;
+    this.log = this.taken = undefined;
+    await this.discard(present);
+    if (taken !== undefined) await this.discard(taken);
+  }
+
+  private async left(visit: string, store: UseStore): Promise<Left<T> | undefined> {
+    const kept: unknown = (await isOver(visit)) && (await get(visit, store));
+    if (!this.sound(kept)) return undefined;
+    const log: unknown = await get(visit + LOG, store);
+    return log instanceof File ? { ...kept, visit, log } : { ...kept, visit };
+  }
+
+  private async attempt<R>(work: (store: UseStore) => Promise<R>): Promise<R | undefined> {
     try {
       return this.store && (await work(this.store));
     } catch {
@@ -75,38 +95,15 @@ export class Shelf {
   }
 }
 
-function openStore(): UseStore | undefined {
+function opened(database: string, name: string): UseStore | undefined {
   try {
-    return createStore('cogmap', 'runs');
+    return createStore(database, name);
   } catch {
     return undefined;
   }
 }
 
-const lockOf = (visit: string): string => `cogmap-run-${visit}`;
-
-/** What a visit has left behind, if it is over. */
-async function left(visit: string, store: UseStore): Promise<LeftRun | undefined> {
-  const run: unknown = (await isOver(visit)) && (await get(visit, store));
-  if (!isRun(run)) return undefined;
-  const log: unknown = await get(visit + LOG, store);
-  return log instanceof File ? { ...run, visit, log } : { ...run, visit };
-}
-
 async function clear(visit: string, store: UseStore): Promise<void> {
   await del(visit, store);
   await del(visit + LOG, store);
-}
-
-/** Whether no window shows the run of a visit any more; a browser without locks cannot tell, and offers it. */
-async function isOver(visit: string): Promise<boolean> {
-  const signal = AbortSignal.timeout(PARTING);
-  return navigator.locks?.request(lockOf(visit), { signal }, () => true).catch(() => false) ?? true;
-}
-
-/** Another version of the page may have kept something else. */
-function isRun(kept: unknown): kept is KeptRun {
-  if (typeof kept !== 'object' || kept === null) return false;
-  const { situation, name, time, when } = kept as Partial<KeptRun>;
-  return [situation, name].every((it) => typeof it === 'string') && [time, when].every(Number.isFinite);
 }

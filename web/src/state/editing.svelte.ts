@@ -1,5 +1,6 @@
 import type { Remote } from 'comlink';
-import { discardDraft, keepDraft, keptDraft, type KeptDraft } from '../keep/drafts';
+import { draftShelf, type KeptDraft } from '../keep/drafts';
+import type { Shelf } from '../keep/shelf';
 import { strings } from '../strings';
 import type { Bench } from '../worker/bench';
 import type { Lab } from './lab.svelte';
@@ -21,6 +22,7 @@ export class Editing {
   /** What was drawn last. */
   private kept = $state.raw<KeptDraft>();
   private dismissed = $state(false);
+  private readonly shelf: Shelf<KeptDraft> | undefined;
   /** A drawing that is offered to go on with. */
   readonly offer = $derived(this.kept?.unfinished && !this.beginning && !this.dismissed ? this.kept : undefined);
 
@@ -28,16 +30,23 @@ export class Editing {
   constructor(
     private readonly lab: Lab,
     private readonly bench: () => Remote<Bench>,
-    private readonly lasting: boolean,
-  ) {}
+    lasting: boolean,
+  ) {
+    this.shelf = lasting ? draftShelf() : undefined;
+  }
 
   get open(): boolean {
     return this.beginning !== undefined;
   }
 
-  /** Looks for a drawing that was left behind. */
+  /** Looks for a drawing that was left behind, rather for one that holds what nothing else does. */
   async begin(): Promise<void> {
-    if (this.lasting) this.kept ??= await keptDraft();
+    const all = (await this.shelf?.leftBehind()) ?? [];
+    const newest = all.find(({ unfinished }) => unfinished) ?? all[0];
+    if (!newest || this.kept) return;
+    const { visit, ...kept } = newest;
+    this.kept = kept;
+    this.shelf?.takeOver(visit);
   }
 
   /** Opens the building that the robot is in, as it is at this moment. */
@@ -57,13 +66,13 @@ export class Editing {
   dismiss = (): void => {
     this.dismissed = true;
     this.kept = undefined;
-    if (this.lasting) void discardDraft();
+    void this.shelf?.empty();
   };
 
   /** Keeps what is drawn. */
   keep(kept: KeptDraft): void {
     this.kept = kept;
-    if (this.lasting) void keepDraft(kept);
+    void this.shelf?.keep(kept);
   }
 
   /** Leaves the editor; what was drawn stays. */
