@@ -27,6 +27,8 @@ export default defineConfig({
   workers: 2,
   reporter: 'list',
   use: {
+    // All of the page's files are fetched once more for it, beside every test: those about it ask for it.
+    serviceWorkers: 'block',
     baseURL: served ?? `http://127.0.0.1:${port}`,
     launchOptions: {
       executablePath: process.env['CHROMIUM_PATH'] ?? '/usr/bin/chromium',

@@ -1,3 +1,5 @@
+import { createServer } from 'node:http';
+import type { AddressInfo } from 'node:net';
 import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import { BenchPage } from './bench';
@@ -26,6 +28,27 @@ for (const colorScheme of ['light', 'dark'] as const) {
     });
   });
 }
+
+test('a lesson of another site embeds the page, and its keys drive what has the focus', async ({ page, baseURL }) => {
+  const lesson = createServer((_, response) => {
+    response.setHeader('Content-Type', 'text/html; charset=utf-8');
+    response.end(`<h1>Lesson</h1><iframe title="Cogmap" width="640" height="420" src="${baseURL}/?embed&world=small-office"></iframe>`);
+  });
+  await new Promise<void>((listening) => lesson.listen(0, 'localhost', listening));
+  await page.goto(`http://localhost:${(lesson.address() as AddressInfo).port}`);
+  const frame = page.frameLocator('iframe');
+  const home = frame.getByRole('button', { name: 'Go Home', exact: true });
+  await expect(home).toBeVisible();
+  await page.getByRole('heading', { name: 'Lesson' }).click();
+  await page.keyboard.press('h');
+  await frame.getByRole('button', { name: 'Pause' }).click();
+  await expect(home, 'a key pressed in the lesson is none for the robot').toBeVisible();
+  await page.keyboard.press('h');
+  await expect(frame.getByRole('button', { name: 'Going home…' })).toBeVisible();
+  await expect(frame.getByText(/Home: it stopped by itself/).first()).toBeVisible();
+  await page.goto('about:blank');
+  lesson.close();
+});
 
 test('the whole page opens at the very moment that the embedded one shows', async ({ page, context }) => {
   const bench = new BenchPage(page);

@@ -2,6 +2,9 @@ import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { chromium, expect, test } from '@playwright/test';
 import { BenchPage, roomLog } from './bench';
+import { button, enter } from './desk';
+
+test.use({ serviceWorkers: 'allow' });
 
 /** Whom Chromium itself asks for the time, updates and accounts, whatever page it shows. */
 const ofTheBrowser = /^(https?:\/\/)?(clients2\.google\.com|update\.googleapis\.com|accounts\.google\.com)[/:]/;
@@ -24,11 +27,19 @@ async function trap(): Promise<{ server: Server; address: string; caught: string
 test('neither page nor workers ask any other host for anything', async ({ baseURL, launchOptions }) => {
   const { server, address, caught } = await trap();
   const browser = await chromium.launch({ ...launchOptions, proxy: { server: address, bypass: '127.0.0.1' } });
-  const page = await browser.newPage({ baseURL: baseURL ?? '' });
+  const page = await browser.newPage({ baseURL: baseURL ?? '', serviceWorkers: 'allow' });
   const bench = new BenchPage(page);
   await bench.open();
   await bench.drop({ name: 'room.log', content: roomLog(20) });
   await expect(page.getByRole('slider', { name: 'Timeline' })).toHaveValue('20');
+  await page.keyboard.press('l');
+  await expect(page.getByRole('complementary', { name: 'Plots' }).getByRole('figure').first()).toBeVisible();
+  await page.keyboard.press('m');
+  await expect(page.getByRole('complementary', { name: 'Text view' })).toContainText('As of view');
+  await bench.save('Picture');
+  await bench.save('Everything');
+  await enter(page, 'New building');
+  await button(page, 'Back').click();
   await page.evaluate(() => navigator.serviceWorker.ready.then(() => undefined));
   const foreign = caught.filter((url) => !ofTheBrowser.test(url));
   // A page without the policy does get caught: the trap is set.
@@ -51,6 +62,12 @@ test('the second visit needs no network', async ({ page, context }) => {
   await bench.open();
   await bench.drop({ name: 'room.log', content: roomLog(20) });
   await expect(page.getByRole('slider', { name: 'Timeline' })).toHaveValue('20');
+  // What is loaded when somebody asks for it comes, too.
+  await page.keyboard.press('l');
+  await expect(page.getByRole('complementary', { name: 'Plots' }).locator('.uplot')).not.toHaveCount(0);
+  await page.keyboard.press('m');
+  await expect(page.getByRole('complementary', { name: 'Text view' })).toContainText('As of view');
+  await enter(page, 'New building');
 });
 
 test('the policy allows nothing inline, and a whole drive keeps to it', async ({ page }) => {

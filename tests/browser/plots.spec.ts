@@ -166,15 +166,6 @@ test('who knows no local spaces has no wideness and no places', async ({ page })
   await expect(panel(page)).toContainText('None of these mappers knows what a local space is.');
 });
 
-test('the plots come without a network, too', async ({ page, context }) => {
-  await new BenchPage(page).open();
-  await page.evaluate(() => navigator.serviceWorker.ready.then(() => undefined));
-  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
-  await context.setOffline(true);
-  await page.keyboard.press('l');
-  await expect(panel(page).locator('.uplot')).toHaveCount(3);
-});
-
 test('the plots keep to the policy', async ({ page }) => {
   const complaints: string[] = [];
   page.on('console', (message) => {
