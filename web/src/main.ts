@@ -6,6 +6,7 @@ import { turn } from './state/turn';
 import { language } from './strings';
 import './styles/tokens.css';
 import './styles/base.css';
+import './styles/parts.css';
 
 const target = document.getElementById('app');
 const address = new Address(location);
