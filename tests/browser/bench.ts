@@ -55,6 +55,28 @@ export class BenchPage {
     await expect(this.page.getByRole('button', { name: 'Play' })).toBeDisabled();
   }
 
+  /** Drives while a key is held down, so many milliseconds, and lets the robot come to rest. */
+  async hold(key: string, duration: number): Promise<void> {
+    const clock = this.page.locator('output').first();
+    const before = await clock.innerText();
+    await this.page.keyboard.down(key);
+    await this.page.waitForTimeout(duration);
+    await this.page.keyboard.up(key);
+    // A robot that has not yet heard of it rests as well.
+    await expect(clock).not.toHaveText(before);
+    await expect(this.page.getByRole('button', { name: 'Play' })).toBeDisabled();
+  }
+
+  /** Drops the session of one of the page's own worlds on it, and lets it run to its end. */
+  async replay(content: string): Promise<void> {
+    await expect(this.choice).not.toHaveValue('');
+    await this.drop({ name: 'again.session.json', content });
+    // It is none of the worlds to choose from: what rests now is no longer the run before it.
+    await expect(this.choice).toHaveValue('');
+    await this.page.getByLabel('Speed').selectOption('Max');
+    await expect(this.page.getByRole('button', { name: 'Play' })).toBeDisabled();
+  }
+
   /** Drops files on the page. */
   async drop(...files: { name: string; content: string }[]): Promise<void> {
     const transfer = await this.page.evaluateHandle((files) => {

@@ -26,7 +26,7 @@ test('what was told can be undone and done again', async ({ page }) => {
   await expect.poll(async () => (await commands(bench)).length).toBe(both.length - 1);
   await page.keyboard.press('Control+Shift+Z');
   await expect.poll(() => commands(bench)).toEqual(both);
-  expect(await clock(page)).toBe(end);
+  await expect.poll(() => clock(page)).toBe(end);
   await page.getByRole('button', { name: 'Undo' }).click();
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect.poll(async () => (await commands(bench)).length).toBe(both.length - 2);

@@ -87,9 +87,7 @@ test('everything comes in one archive, each file as if saved alone, and its sess
   expect(JSON.parse(text('report.json'))).toHaveProperty('format');
 
   const surfaces = await bench.surfaces();
-  await bench.drop({ name: 'again.session.json', content: text('session.json') });
-  await page.getByLabel('Speed').selectOption('Max');
-  await expect(page.getByRole('button', { name: 'Play' })).toBeDisabled();
+  await bench.replay(text('session.json'));
   expect(await bench.surfaces()).toBe(surfaces);
 });
 

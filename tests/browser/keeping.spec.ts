@@ -3,19 +3,14 @@ import { expect, test, type Page } from '@playwright/test';
 import { BenchPage, roomLog } from './bench';
 
 /** Drives to the right for a moment and lets the robot come to rest. */
-async function drive(page: Page): Promise<void> {
-  await page.keyboard.down('ArrowRight');
-  await page.waitForTimeout(400);
-  await page.keyboard.up('ArrowRight');
-  await expect(page.getByRole('button', { name: 'Play' })).toBeDisabled();
-}
+const drive = (bench: BenchPage) => bench.hold('ArrowRight', 400);
 
 /** Opens the page and drives; what the session says then. */
 async function driven(page: Page): Promise<{ bench: BenchPage; told: unknown }> {
   const bench = new BenchPage(page);
   await bench.open();
   await bench.takeOver();
-  await drive(page);
+  await drive(bench);
   return { bench, told: await commands(bench) };
 }
 
@@ -31,7 +26,7 @@ test('after a reload the run is offered again, complete to the last command', as
   const bench = new BenchPage(page);
   await bench.open();
   await bench.takeOver();
-  await drive(page);
+  await drive(bench);
   await page.getByRole('button', { name: 'Go Home', exact: true }).click();
   await expect(bench.going).toBeVisible();
   await page.keyboard.press('Space');
@@ -57,7 +52,7 @@ test('an offer that is dismissed does not come again, and an untouched page offe
   await page.waitForTimeout(500);
   await expect(goOn(page)).toBeHidden();
   await bench.takeOver();
-  await drive(page);
+  await drive(bench);
   await bench.open();
   await expect(goOn(page)).toBeVisible();
   await page.getByRole('button', { name: 'Dismiss' }).click();
@@ -108,7 +103,7 @@ test('two windows keep a run each, and each is offered once its window is gone',
   await other.page.waitForTimeout(1000);
   await expect(goOn(other.page)).toBeHidden();
   await other.takeOver();
-  await drive(other.page);
+  await drive(other);
   const told = await commands(other);
   await page.close();
   await other.page.close();
@@ -189,7 +184,7 @@ for (const [what, close] of closed) {
     const bench = new BenchPage(page);
     await bench.open();
     await bench.takeOver();
-    await drive(page);
+    await drive(bench);
     await expect(page.getByRole('alert')).toBeEmpty();
     expect(failures).toEqual([]);
   });

@@ -12,10 +12,7 @@ test('a link opens exactly the same moment of the same run', async ({ page }) =>
   await bench.open();
   await bench.chip('odometry').click();
   await bench.takeOver();
-  await page.keyboard.down('ArrowRight');
-  await page.waitForTimeout(500);
-  await page.keyboard.up('ArrowRight');
-  await expect(page.getByRole('button', { name: 'Play' })).toBeDisabled();
+  await bench.hold('ArrowRight', 500);
   const timeline = page.getByRole('slider', { name: 'Timeline' });
   const position = String(Math.floor(Number(await timeline.getAttribute('max')) / 2));
   await timeline.fill(position);

@@ -12,19 +12,12 @@ test('a saved session gives the same map again, on the page and on the command l
   await bench.open();
   await bench.takeOver();
   await page.keyboard.press('Digit0');
-  await page.keyboard.down('ArrowRight');
-  await page.waitForTimeout(700);
-  await page.keyboard.up('ArrowRight');
-  await page.keyboard.down('ArrowUp');
-  await page.waitForTimeout(1200);
-  await page.keyboard.up('ArrowUp');
-  await expect(page.getByRole('button', { name: 'Play' })).toBeDisabled();
+  await bench.hold('ArrowRight', 700);
+  await bench.hold('ArrowUp', 1200);
   const session = await bench.save('Session');
   const map = (await bench.save('Map')).bytes;
 
-  await bench.drop({ name: session.name, content: session.bytes.toString() });
-  await page.getByLabel('Speed').selectOption('Max');
-  await expect(page.getByRole('button', { name: 'Play' })).toBeDisabled();
+  await bench.replay(session.bytes.toString());
   expect((await bench.save('Map')).bytes.equals(map)).toBe(true);
 
   await test.step('on the command line', () => {

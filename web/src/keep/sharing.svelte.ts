@@ -39,14 +39,13 @@ export class Sharing {
 
   /** Opens the whole page at this very moment, beside the one that shows only a part of it. */
   openWhole = async (): Promise<void> => {
-    const isLog = this.lab.status?.source === 'log';
-    const link = isLog ? wholePage() : await this.link();
+    const link = this.lab.status?.source === 'world' ? await this.link() : wholePage();
     window.open(link.length > LINK_MAX ? wholePage() : link, '_blank', 'noopener');
   };
 
   /** Opens what the page's address holds, if it holds anything. */
   openAddress = async (): Promise<void> => {
-    if (!holdsSituation(location.hash)) return;
+    if (!holdsSituation(location.hash) || !(await this.lab.begun)) return;
     try {
       await this.lab.resume({ name: strings.link.name, situation: await fromFragment(location.hash) });
     } catch (error) {

@@ -20,36 +20,40 @@ export class Bringing {
   /** Opens files; `resolution` is the scale of a floor plan that does not say it, metres a pixel. */
   async open(files: File[], resolution?: number): Promise<void> {
     const { lab } = this;
-    if (lab.reading) return;
-    const [first, second, third] = await inOrder(files);
-    if (!first) return;
+    const [first, , third] = files;
+    if (!first || lab.reading) return;
     lab.refusal = undefined;
     this.plan = undefined;
     if (third) {
       lab.refusal = strings.files.tooMany(files.length);
       return;
     }
-    if (!second && resolution === undefined && (await isPicture(first))) {
-      this.plan = first;
+    lab.reading = first.name;
+    // What somebody brings before there is a laboratory waits for it.
+    if (await lab.begun) await lab.ask(() => this.read(files, resolution));
+    lab.reading = undefined;
+  }
+
+  private async read(files: File[], resolution: number | undefined): Promise<void> {
+    const { lab } = this;
+    const opened = await inOrder(files);
+    const [only, second] = opened;
+    if (only && !second && resolution === undefined && (await isPicture(only))) {
+      this.plan = only;
       return;
     }
-    lab.reading = first.name;
-    await lab.ask(async () => {
-      const opened = second ? [first, second] : [first];
-      const contents = await Promise.all(opened.map(brought));
-      const buffers = contents.map(({ bytes }) => bytes.buffer);
-      const said = resolution === undefined ? contents : contents.map((content) => ({ ...content, resolution }));
-      const before = lab.files;
-      lab.files = opened;
-      try {
-        await this.bench().open(transfer(said, buffers), lab.choice);
-      } catch (error) {
-        lab.files = before;
-        throw error;
-      }
-      lab.driven = true;
-    });
-    lab.reading = undefined;
+    const contents = await Promise.all(opened.map(brought));
+    const buffers = contents.map(({ bytes }) => bytes.buffer);
+    const said = resolution === undefined ? contents : contents.map((content) => ({ ...content, resolution }));
+    const before = lab.files;
+    lab.files = opened;
+    try {
+      await this.bench().open(transfer(said, buffers), lab.choice);
+    } catch (error) {
+      lab.files = before;
+      throw error;
+    }
+    lab.driven = true;
   }
 }
 

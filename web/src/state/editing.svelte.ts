@@ -51,6 +51,7 @@ export class Editing {
 
   /** Opens the building that the robot is in, as it is at this moment. */
   edit = async (): Promise<void> => {
+    if (!this.lab.status) return;
     await this.bench().play(false);
     const file = await this.bench().worldFile();
     if (file === undefined) this.lab.refusal = strings.drafts.ofLog;

@@ -12,6 +12,7 @@ import { Dividing } from './dividing.svelte';
 import { Editing } from './editing.svelte';
 import { Plotting } from './plotting.svelte';
 import { Pointing } from './pointing.svelte';
+import { opening, OPENING_VIEWS, OPENING_WORLD } from './opening';
 import { brought, save } from './save';
 import { Showing } from './showing.svelte';
 import { TextView } from './text.svelte';
@@ -24,13 +25,6 @@ import { isCrash, reason, Workshop } from './workshop';
 
 /** Speeds to choose from. */
 export const PACES: Pace[] = [1, 2, 4, 8, 16, 32, 'full'];
-
-/** The building that the page opens on. */
-const OPENING_WORLD = 'office';
-/** The mapper whose memory stands beside the first one's when the page opens: which of them is to be trusted? */
-const OPENING_RIVAL = 'odometry';
-/** How many views of it the robot has taken when the page opens: enough to see what a memory is. */
-const OPENING_VIEWS = 6;
 
 /** The one owner of what the page shows; the run itself lives in a worker. */
 export class Lab {
@@ -93,6 +87,8 @@ export class Lab {
     opening: () => (this.plotting.close(), this.text.close(), void this.bench.play(false)),
   });
 
+  /** Whether the first run has begun, once that is known. */
+  begun: Promise<boolean> = Promise.resolve(false);
   /** Counts the workers: each needs canvases of its own, which a page can hand over only once. */
   generation = $state(0);
   /** The files that were opened last. */
@@ -115,24 +111,28 @@ export class Lab {
 
   /** Begins the first run, and then what the address or an earlier visit has to offer. */
   async begin(): Promise<void> {
-    try {
-      const offer = await this.load();
-      const { robot, mapper, strategy, seed, layers } = offer.choices;
-      const world = offer.worlds.find(({ file }) => file === OPENING_WORLD) ?? offer.worlds[0];
-      const { asked, complaints } = this.address.choice(offer);
-      this.showing.layers = layers;
-      this.strategy = strategy;
-      this.offer = offer;
-      await turn();
-      const mappers = this.address.embed ? [mapper] : [mapper, OPENING_RIVAL];
-      await this.start({ world: world?.file ?? '', robot, mappers, seed, ...asked }, OPENING_VIEWS);
-      if (complaints.length > 0) this.refusal = complaints.join('\n');
-    } catch (error) {
-      this.failure = reason(error);
-      return;
-    }
+    this.begun = this.first();
+    if (!(await this.begun)) return;
     await this.sharing.openAddress();
     await Promise.all([this.keeping.begin(), this.editing.begin()]);
+  }
+
+  /** Begins the first run, unless there can be none. */
+  private async first(): Promise<boolean> {
+    try {
+      const offer = await this.load();
+      const { choice, complaints } = opening(offer, this.address);
+      this.showing.layers = offer.choices.layers;
+      this.strategy = offer.choices.strategy;
+      this.offer = offer;
+      await turn();
+      await this.start(choice, OPENING_VIEWS);
+      if (complaints.length > 0) this.refusal = complaints.join('\n');
+      return true;
+    } catch (error) {
+      this.failure = reason(error);
+      return false;
+    }
   }
 
   /** What a link to this moment holds. */
@@ -200,8 +200,8 @@ export class Lab {
 
   /** Runs the same thing from the beginning: a world with its route, a file as it is. */
   async restart(): Promise<void> {
-    if (!this.status?.foreign) await this.start();
-    else await this.ask(() => this.bench.rewind());
+    if (this.status?.foreign) await this.ask(() => this.bench.rewind());
+    else if (this.status) await this.start();
   }
 
   /** Opens files that somebody brought. */
@@ -239,7 +239,7 @@ export class Lab {
   play = (): void => void this.bench.play(true);
   toggle = (): void => void this.bench.play(!this.running);
   next = (): void => void this.bench.next();
-  finish = (): void => void this.bench.finish();
+  finish = (): void => void (this.status && this.bench.finish());
   jump = (position: number): void => void this.bench.jump(position);
   undo = (): void => void this.bench.undo(false);
   redo = (): void => void this.bench.undo(true);
