@@ -49,6 +49,12 @@ export class BenchPage {
     return Number(/([\d.]+) m driven/.exec(text)?.[1] ?? 0);
   }
 
+  /** Stops the run; what the page tells of it then stays. */
+  async pause(): Promise<void> {
+    await this.page.getByRole('button', { name: 'Pause' }).click();
+    await expect(this.page.getByRole('button', { name: 'Play' })).toBeEnabled();
+  }
+
   /** Ends the route and lets the robot come to rest. */
   async takeOver(): Promise<void> {
     await this.page.getByRole('button', { name: /take the controls/i }).click();

@@ -33,8 +33,7 @@ test('a session and its log come in any order, and nothing that does not belong 
 test('mapping a log can be cancelled, and the run before it is still there', async ({ page }) => {
   const bench = new BenchPage(page);
   await bench.open();
-  await page.keyboard.press('Space');
-  await expect(page.getByRole('button', { name: 'Play' })).toBeEnabled();
+  await bench.pause();
   const before = await bench.memory.innerText();
   await bench.drop({ name: 'room.log', content: roomLog(75) });
   await expect(page.getByRole('heading', { name: 'The log by its odometry alone' })).toBeVisible();

@@ -66,7 +66,7 @@ test('steps to the next view are kept, too', async ({ page }) => {
   const bench = new BenchPage(page);
   const timeline = page.getByRole('slider', { name: 'Timeline' });
   await bench.open();
-  await page.getByRole('button', { name: 'Pause' }).click();
+  await bench.pause();
   const paused = Number(await timeline.inputValue());
   await page.keyboard.press('.');
   await expect.poll(async () => Number(await timeline.inputValue())).toBeGreaterThan(paused);

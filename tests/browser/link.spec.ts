@@ -33,7 +33,7 @@ test('a link opens exactly the same moment of the same run', async ({ page }) =>
 test('a route that was being driven is driven on', async ({ page }) => {
   const bench = new BenchPage(page);
   await bench.open();
-  await page.keyboard.press('Space');
+  await bench.pause();
   const link = await bench.link();
   const timeline = page.getByRole('slider', { name: 'Timeline' });
   const before = Number(await timeline.inputValue());

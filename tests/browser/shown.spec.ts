@@ -7,8 +7,7 @@ test('another mapper’s memory of the same moment is a click away', async ({ pa
   await bench.open();
   await expect(bench.memory).toHaveCount(1);
   await expect(bench.chip('consensus')).toHaveAttribute('aria-pressed', 'true');
-  await page.keyboard.press('Space');
-  await expect(page.getByRole('button', { name: 'Play' })).toBeEnabled();
+  await bench.pause();
   const moment = await page.locator('output').innerText();
   await bench.chip('perceptual').click();
   await expect(page.getByRole('heading', { name: 'The robot’s memory by perceptual' })).toBeVisible();
@@ -54,8 +53,7 @@ test('clicks that come faster than the page hears of them all count', async ({ p
 test('what a memory shows can be chosen by mouse and by key', async ({ page }) => {
   const bench = new BenchPage(page);
   await bench.open();
-  await page.keyboard.press('Space');
-  await expect(page.getByRole('button', { name: 'Play' })).toBeEnabled();
+  await bench.pause();
   const picture = () => bench.memory.getByRole('img').screenshot();
   let before = await picture();
   const changed = async () => {

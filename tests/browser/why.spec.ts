@@ -61,6 +61,21 @@ test('the walk goes on into the next view, and back into the one before', async 
   await expect(current(page)).toHaveText('Scan');
 });
 
+test('behind the last stage there is nothing where the robot rests', async ({ page }) => {
+  const bench = new BenchPage(page);
+  await bench.open();
+  await bench.takeOver();
+  await page.getByRole('button', { name: 'Why?', exact: true }).first().click();
+  await expect(current(page)).toHaveText('Scan');
+  const stages = panel(page).getByRole('listitem').getByRole('button');
+  const last = (await stages.last().innerText()).trim();
+  await stages.last().click();
+  await expect(current(page)).toHaveText(last);
+  for (let press = 0; press < 3; press += 1) await page.keyboard.press('k');
+  await page.waitForTimeout(500);
+  await expect(current(page)).toHaveText(last);
+});
+
 test('the reference target is told with its runners-up', async ({ page }) => {
   const bench = new BenchPage(page);
   await bench.open();

@@ -64,7 +64,8 @@ export class Why {
     const before = this.told;
     const kind = before?.stages[this.at]?.kind;
     this.told = told;
-    if (before && before.step === told.step && before.mapper === told.mapper && !this.arriving) {
+    // What was on its way of a step that was left meanwhile is no arrival.
+    if (before && before.step === told.step && before.mapper === told.mapper) {
       this.at = Math.min(this.at, told.stages.length - 1);
       return;
     }
