@@ -14,6 +14,24 @@ async function driven(page: Page): Promise<{ bench: BenchPage; told: unknown }> 
   return { bench, told: await commands(bench) };
 }
 
+/** Waits until the browser has kept the moment that is shown. */
+async function untilKept(page: Page): Promise<void> {
+  const [minutes = NaN, seconds = NaN] = (await page.locator('output').first().innerText()).split(':').map(Number);
+  const kept = () =>
+    page.evaluate(async () => {
+      const answer = <T>(request: IDBRequest<T>) =>
+        new Promise<T>((resolve, reject) => {
+          request.onsuccess = () => resolve(request.result);
+          request.onerror = () => reject(request.error);
+        });
+      const database = await answer(indexedDB.open('cogmap'));
+      const all: { time?: number; when?: number }[] = await answer(database.transaction('runs').objectStore('runs').getAll());
+      database.close();
+      return all.sort((one, other) => (other.when ?? 0) - (one.when ?? 0))[0]?.time ?? NaN;
+    });
+  await expect.poll(async () => Math.abs((await kept()) - 60 * minutes - seconds)).toBeLessThan(0.06);
+}
+
 const goOn = (page: Page) => page.getByRole('button', { name: 'Go on', exact: true });
 
 /** The commands of a saved session. */
@@ -71,7 +89,7 @@ test('steps to the next view are kept, too', async ({ page }) => {
   await page.keyboard.press('.');
   await expect.poll(async () => Number(await timeline.inputValue())).toBeGreaterThan(paused);
   const stepped = await timeline.inputValue();
-  await page.waitForTimeout(500);
+  await untilKept(page);
   await page.reload();
   await goOn(page).click();
   await expect(timeline).toHaveValue(stepped);
@@ -85,7 +103,7 @@ test('a log is kept with its file', async ({ page }) => {
   await expect(timeline).toHaveValue('20');
   const map = (await bench.save('Map')).bytes;
   await timeline.fill('20');
-  await page.waitForTimeout(500);
+  await untilKept(page);
   await bench.open();
   await expect(page.getByText(/Go on where you were\? room\.log/)).toBeVisible();
   await goOn(page).click();

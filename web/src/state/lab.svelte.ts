@@ -4,12 +4,13 @@ import { Keeping } from '../keep/keeping.svelte';
 import { Sharing } from '../keep/sharing.svelte';
 import { strings } from '../strings';
 import type { Bench } from '../worker/bench';
-import type { Choice, FileKind, KeptSituation, Notice, Offer, Pace, Saved, View } from '../worker/protocol';
+import type { Choice, FileKind, KeptSituation, Notice, Offer, Saved, View } from '../worker/protocol';
 import type { Order, Status } from '../wasm/cogmap_wasm';
 import { Bringing } from './bringing.svelte';
 import { Changing } from './changing.svelte';
 import { Dividing } from './dividing.svelte';
 import { Editing } from './editing.svelte';
+import { Pacing } from './pacing.svelte';
 import { Plotting } from './plotting.svelte';
 import { Pointing } from './pointing.svelte';
 import { opening, OPENING_VIEWS, OPENING_WORLD } from './opening';
@@ -23,9 +24,6 @@ import { Why } from './why.svelte';
 import { turn } from './turn';
 import { isCrash, reason, Workshop } from './workshop';
 
-/** Speeds to choose from. */
-export const PACES: Pace[] = [1, 2, 4, 8, 16, 32, 'full'];
-
 /** The one owner of what the page shows; the run itself lives in a worker. */
 export class Lab {
   offer = $state.raw<Offer>();
@@ -34,7 +32,6 @@ export class Lab {
   strategy = $state('');
   status = $state.raw<Status>();
   playing = $state(false);
-  pace = $state<Pace>(2);
   /** Whether somebody has driven yet: the invitation to do so has done its work. */
   driven = $state(false);
   /** Name of the file being read. */
@@ -46,6 +43,8 @@ export class Lab {
 
   /** How the views show what there is. */
   readonly showing = new Showing(() => this.bench);
+  /** How fast the run is played. */
+  readonly pacing = new Pacing((pace) => this.bench.setPace(pace));
   /** Where the divider between the views stands. */
   readonly dividing = new Dividing();
   /** Which memory is trusted to lead the robot home. */
@@ -172,6 +171,7 @@ export class Lab {
       return;
     }
     this.showing.renew();
+    this.pacing.renew();
     this.why.close();
     this.pointing.close();
     await this.keeping.recover();
@@ -251,17 +251,6 @@ export class Lab {
     if (to !== undefined) this.jump(to);
   }
 
-  setPace(pace: Pace): void {
-    this.pace = pace;
-    void this.bench.setPace(pace);
-  }
-
-  /** The next faster or slower speed. */
-  shiftPace(by: 1 | -1): void {
-    const pace = PACES[PACES.indexOf(this.pace) + by];
-    if (pace !== undefined) this.setPace(pace);
-  }
-
   saveFile = (kind: FileKind): Promise<void> => this.keep(() => this.bench[kind]());
   saveMap = (mapper: number): Promise<void> => this.keep(() => this.bench.map(mapper));
 
@@ -295,6 +284,6 @@ export class Lab {
     this.why.hear(why);
     this.pointing.hear(pointed);
     this.playing = playing;
-    this.pace = pace;
+    this.pacing.hear(pace);
   }
 }
