@@ -143,7 +143,8 @@ for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]] as const) {
     await page.keyboard.press('m');
     await page.mouse.move(5, 5);
     const line = surfaces(page).getByRole('button', { name: /^Surface/ }).first();
-    await line.scrollIntoViewIfNeeded();
+    // As it is now: the lines are told anew while the robot drives.
+    await line.evaluate((node) => node.scrollIntoView({ block: 'nearest' }));
     const lines = panel(page).getByRole('group', { name: 'What the memory holds' });
     // Where the lines were before the page could answer to the mouse.
     const coming = lines.evaluate((node) => new Promise<number>((resolve) => {
