@@ -61,16 +61,28 @@ export class BenchPage {
     await expect(this.page.getByRole('button', { name: 'Play' })).toBeDisabled();
   }
 
-  /** Drives while a key is held down, so many milliseconds, and lets the robot come to rest. */
-  async hold(key: string, duration: number): Promise<void> {
+  /** Does something that makes a resting robot move, and lets it come to rest again. */
+  async moves(act: () => Promise<void>): Promise<void> {
     const clock = this.page.locator('output').first();
     const before = await clock.innerText();
-    await this.page.keyboard.down(key);
-    await this.page.waitForTimeout(duration);
-    await this.page.keyboard.up(key);
+    await act();
     // A robot that has not yet heard of it rests as well.
     await expect(clock).not.toHaveText(before);
     await expect(this.page.getByRole('button', { name: 'Play' })).toBeDisabled();
+  }
+
+  /** Drives while a key is held down, so many milliseconds. */
+  hold(key: string, duration: number): Promise<void> {
+    return this.moves(async () => {
+      await this.page.keyboard.down(key);
+      await this.page.waitForTimeout(duration);
+      await this.page.keyboard.up(key);
+    });
+  }
+
+  /** Drives by one press on one of the buttons for it. */
+  step(name: string): Promise<void> {
+    return this.moves(() => this.page.getByRole('button', { name }).press('Enter'));
   }
 
   /** Drops the session of one of the page's own worlds on it, and lets it run to its end. */

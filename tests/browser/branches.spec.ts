@@ -6,21 +6,12 @@ const clock = (page: Page) => page.locator('output').first().innerText();
 const commands = async (bench: BenchPage) =>
   (JSON.parse((await bench.save('Session')).bytes.toString()) as { source: { commands: unknown[] } }).source.commands;
 
-/** Drives a little way by steps of a click each. */
-async function step(page: Page, name: string): Promise<void> {
-  const before = await clock(page);
-  await page.getByRole('button', { name }).focus();
-  await page.keyboard.press('Enter');
-  await expect.poll(() => clock(page)).not.toBe(before);
-  await expect(page.getByRole('button', { name: 'Play' })).toBeDisabled();
-}
-
 test('what was told can be undone and done again', async ({ page }) => {
   const bench = new BenchPage(page);
   await bench.open();
   await bench.takeOver();
-  await step(page, 'Turn left');
-  await step(page, 'Drive ahead');
+  await bench.step('Turn left');
+  await bench.step('Drive ahead');
   const [both, end] = [await commands(bench), await clock(page)];
   await page.keyboard.press('Control+z');
   await expect.poll(async () => (await commands(bench)).length).toBe(both.length - 1);
@@ -36,13 +27,13 @@ test('going on from an earlier moment keeps the other future, and leads back to 
   const bench = new BenchPage(page);
   await bench.open();
   await bench.takeOver();
-  await step(page, 'Turn left');
-  await step(page, 'Drive ahead');
+  await bench.step('Turn left');
+  await bench.step('Drive ahead');
   const old = await commands(bench);
   const slider = page.getByRole('slider', { name: 'Timeline' });
   await slider.fill(String(Math.round(Number(await slider.getAttribute('max')) / 2)));
   await expect(page.getByRole('button', { name: 'Play' })).toBeEnabled();
-  await step(page, 'Turn right');
+  await bench.step('Turn right');
   const other = page.getByRole('button', { name: 'Other branch (1)' });
   await expect(other).toBeVisible();
   const fresh = await commands(bench);

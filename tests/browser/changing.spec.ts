@@ -8,7 +8,7 @@ test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
 test('a box that is dropped by a click is seen by the laser, taken away and undone', async ({ page }) => {
   const bench = await rooms(page);
   const empty = await session(bench);
-  await look(page);
+  await look(bench);
   expect(await surfacesAt(bench, [2.5, 2.9])).toBe(0);
   await page.keyboard.press('Control+z');
   await clickAt(bench, 'Drop a box', [2.5, 2.9]);
@@ -18,13 +18,13 @@ test('a box that is dropped by a click is seen by the laser, taken away and undo
   await expect(bench.world).toContainText('A box was set down');
   await expect(page.getByRole('status', { name: 'What happened' })).toContainText('A box was set down.');
   await expect(page.getByRole('toolbar', { name: 'Events' }).getByRole('button', { name: /A box was set down/ })).toBeVisible();
-  await look(page);
+  await look(bench);
   expect(await surfacesAt(bench, [2.5, 2.9])).toBeGreaterThan(0);
 
   await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');
   await expect.poll(() => session(bench)).toBe(empty);
-  await look(page);
+  await look(bench);
   expect(await surfacesAt(bench, [2.5, 2.9])).toBe(0);
 
   await clickAt(bench, 'Drop a box', [2.5, 2.9]);
@@ -99,7 +99,7 @@ test('what cannot be has one sentence, and changes nothing', async ({ page }) =>
 
 test('a change at an earlier moment makes a branch', async ({ page }) => {
   const bench = await rooms(page);
-  await look(page);
+  await look(bench);
   const old = await session(bench);
   const slider = page.getByRole('slider', { name: 'Timeline' });
   await slider.fill(String(Math.round(Number(await slider.getAttribute('max')) / 2)));
@@ -119,7 +119,7 @@ test('a link holds the changed building', async ({ page }) => {
   await palette(page).getByRole('combobox').selectOption({ index: 1 });
   await palette(page).locator('.by-name').getByRole('button').click();
   await expect.poll(async () => (await told(bench)).filter((command) => command.do === 'change').length).toBe(2);
-  await look(page);
+  await look(bench);
   const doors = await palette(page).getByRole('option').allInnerTexts();
   const [saved, map] = [await session(bench), (await bench.save('Map')).bytes.toString()];
   const link = await bench.link();

@@ -30,11 +30,7 @@ test('the buttons drive by mouse, and step by keyboard', async ({ page }) => {
   await bench.takeOver();
   const turn = page.getByRole('button', { name: 'Turn left' });
   const clock = page.locator('output');
-  const before = await clock.innerText();
-  await turn.focus();
-  await page.keyboard.press('Enter');
-  await expect(clock).not.toHaveText(before);
-  await expect(page.getByRole('button', { name: 'Play' })).toBeDisabled();
+  await bench.step('Turn left');
   const box = await turn.boundingBox();
   expect(box?.width).toBeGreaterThanOrEqual(44);
   expect(box?.height).toBeGreaterThanOrEqual(44);

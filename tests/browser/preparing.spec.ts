@@ -12,14 +12,14 @@ const cell = {
 };
 
 /** Opens the page with the engine still on its way; what is returned lets it come. */
-async function openSlowly(page: Page, address = './?mappers=consensus'): Promise<() => void> {
+async function openSlowly(page: Page): Promise<() => void> {
   let come = (): void => undefined;
   const coming = new Promise<void>((resolve) => (come = resolve));
   await page.route(/\/first-[^/]*\.wasm$/, async (route) => {
     await coming;
     await route.continue();
   });
-  await page.goto(address);
+  await page.goto('./?mappers=consensus');
   await expect(page.getByRole('button', { name: 'Open…' })).toBeEnabled();
   return come;
 }
@@ -58,7 +58,7 @@ test('what needs a run cannot be had while the laboratory is prepared, and does 
   for (const name of ['Build', 'Save, share', 'Start over', 'Play', 'Go Home']) {
     await expect(page.getByRole('button', { name, exact: true })).toBeDisabled();
   }
-  for (const key of ['r', 'f', 'e', 'h', 'n', '.', 'Space', 'Control+z', 'ArrowUp']) await page.keyboard.press(key);
+  for (const key of ['r', 'f', 'u', 'h', 'n', '.', 'Space', 'Control+z', 'ArrowUp']) await page.keyboard.press(key);
   await expect(page.getByText('Preparing the laboratory…').first()).toBeVisible();
   await expect(page.getByRole('alert')).toBeEmpty();
   come();
